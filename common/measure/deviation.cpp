@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "common/mesh/agreeing_vertices.h"
 #include "common/mesh/corner_normals.h"
 
 namespace burnish {
@@ -20,6 +21,19 @@ double area_of(std::span<const Vec3d> vertices, const Triangle& t) {
   return (vertices[t[1]] - vertices[t[0]]).cross(vertices[t[2]] - vertices[t[0]]).norm() / 2;
 }
 
+/// Lets vertices at one place have one normal, so that a measure does not depend on how the file
+/// shares vertices.
+void join_normals(std::span<const Vec3d> vertices, std::span<const Triangle> triangles,
+                  std::vector<Vec3d>& normals) {
+  MeshView mesh;
+  mesh.vertices = vertices;
+  mesh.triangles = triangles;
+  const ScratchArray<uint32_t> least = least_that_agree(mesh);
+  for (size_t v = 0; v < least.size(); ++v)
+    if (least[v] != v) normals[least[v]] += normals[v];
+  for (size_t v = 0; v < least.size(); ++v) normals[v] = normals[least[v]];
+}
+
 VertexShape shape_of(std::span<const Vec3d> vertices, std::span<const Triangle> triangles) {
   VertexShape shape{std::vector<Vec3d>(vertices.size(), Vec3d::Zero()),
                     std::vector<double>(vertices.size(), 0)};
@@ -31,6 +45,7 @@ VertexShape shape_of(std::span<const Vec3d> vertices, std::span<const Triangle> 
       shape.areas[t[c]] += third;
     }
   }
+  join_normals(vertices, triangles, shape.normals);
   for (Vec3d& normal : shape.normals) normal = normal.stableNormalized();
   return shape;
 }

@@ -9,7 +9,8 @@
 namespace burnish {
 
 /// How far an edit moved a surface. Lengths in file units; averages over the surface before. A
-/// vertex stands for a third of the area of its triangles.
+/// vertex stands for a third of the area of its triangles. Its normal is that of
+/// least_that_agree(): a scan and the same scan as a soup have the same deviation.
 struct Deviation {
   static constexpr int kBins = 64;
 
@@ -32,7 +33,7 @@ struct Deviation {
 };
 
 /// Needs: as many vertices before as after; triangles that index them. Vertices without a triangle
-/// do not count. Cost: linear; scratch of 32 bytes a vertex.
+/// do not count. Cost: linear; scratch of 57 bytes a vertex.
 Deviation deviation_of(std::span<const Vec3d> before, std::span<const Vec3d> after,
                        std::span<const Triangle> triangles);
 

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "common/base/parallel.h"
+#include "common/mesh/agreeing_vertices.h"
 #include "server/prepare/pages/level_writer.h"
 #include "server/prepare/pages/pages_need.h"
 
@@ -40,17 +41,38 @@ class PhaseTimes {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// Lets vertices that look alike at one place be one, so that a seam has no line and a soup is
+/// shaded as a surface. Returns how many vertices have lost their triangles.
+uint64_t join_vertices(const PagesInput& scan, std::span<Triangle> triangles,
+                       const ScratchSpace& space) {
+  MeshView mesh;
+  mesh.vertices = scan.vertices;
+  mesh.triangles = scan.triangles;
+  mesh.colours = scan.colours;
+  const ScratchArray<uint32_t> least = least_that_agree(mesh, space);
+  uint64_t joined = 0;
+  for (uint32_t v = 0; v < least.size(); ++v) joined += least[v] != v;
+  if (joined > 0)
+    for (Triangle& triangle : triangles)
+      for (uint32_t& vertex : triangle) vertex = least[vertex];
+  return joined;
+}
+
 Level make_level_0(const PagesInput& scan, const ScratchSpace& space) {
   Level level;
-  level.triangles = ScratchArray<Triangle>(space, scan.triangles.size());
+  level.triangles = copy_to(space, scan.triangles);
+  const uint64_t joined =
+      join_vertices(scan, {level.triangles.data(), level.triangles.size()}, space);
   size_t kept = 0;
-  for (const Triangle& t : scan.triangles)
+  for (const Triangle& t : level.triangles)
     if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) level.triangles[kept++] = t;
   level.triangles.truncate(kept);
   const auto referenced =
-      static_cast<double>(scan.statistics.vertices - scan.statistics.unreferenced_vertices);
+      static_cast<double>(scan.statistics.vertices - scan.statistics.unreferenced_vertices) -
+      static_cast<double>(joined);
   // Pages share vertices, so together they have more than the scan.
-  level.vertices_per_triangle = 1.06 * referenced / static_cast<double>(level.triangles.size());
+  level.vertices_per_triangle =
+      1.06 * std::max(referenced, 1.0) / static_cast<double>(level.triangles.size());
   return level;
 }
 

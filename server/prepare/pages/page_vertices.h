@@ -22,8 +22,9 @@ struct PageVertices {
   PageGrid grid;
   ScratchArray<Vec3i> positions;  ///< per vertex of the scan, steps
   /// Per vertex the least vertex at the same place. Edits move all vertices of one place together.
-  /// Level 0 keeps them apart, as the scan does. Coarser levels join them: a scan without shared
-  /// vertices, as some programs write, would else fall into single triangles there.
+  /// Level 0 joins those that look alike (common/mesh/agreeing_vertices.h). Coarser levels join
+  /// all: a scan without shared vertices, as some programs write, would else fall into single
+  /// triangles there.
   ScratchArray<uint32_t> joined;
 };
 

@@ -45,6 +45,41 @@ TEST(Deviation, OfASphereThatShrinksIsTheSameEverywhere) {
   EXPECT_GT(share_of_bins(found, 0, 1), 0.9);
 }
 
+/// The same triangles, each with vertices of its own.
+std::vector<Vec3d> corners_of(const std::vector<Vec3d>& vertices,
+                              const std::vector<Triangle>& triangles) {
+  std::vector<Vec3d> corners;
+  for (const Triangle& triangle : triangles)
+    for (const uint32_t vertex : triangle) corners.push_back(vertices[vertex]);
+  return corners;
+}
+
+TEST(Deviation, OfASoupIsThatOfTheSurface) {
+  const TriangleMesh sphere = make_icosphere(3, 2);
+  std::vector<Vec3d> after = scaled(sphere.vertices, 0.9);
+  for (size_t v = 0; v < after.size(); v += 3) after[v].x() += 0.3;
+  std::vector<Triangle> triangles(sphere.triangles.size());
+  for (uint32_t t = 0; t < triangles.size(); ++t) triangles[t] = {3 * t, 3 * t + 1, 3 * t + 2};
+  const Deviation whole = deviation_of(sphere.vertices, after, sphere.triangles);
+  const Deviation soup = deviation_of(corners_of(sphere.vertices, sphere.triangles),
+                                      corners_of(after, sphere.triangles), triangles);
+  EXPECT_NEAR(soup.mean_along_normal, whole.mean_along_normal, 1e-12);
+  EXPECT_NEAR(soup.outward_max, whole.outward_max, 1e-12);
+  EXPECT_NEAR(soup.inward_max, whole.inward_max, 1e-12);
+  EXPECT_NEAR(soup.rms, whole.rms, 1e-12);
+}
+
+TEST(Deviation, OfSidesBackToBackIsThatOfEach) {
+  const std::vector<Vec3d> before = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0},
+                                     {0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  std::vector<Vec3d> after = before;
+  for (Vec3d& point : after) point.z() += 2;
+  const std::vector<Triangle> triangles = {{0, 1, 2}, {3, 5, 4}};
+  const Deviation found = deviation_of(before, after, triangles);
+  EXPECT_DOUBLE_EQ(found.outward_max, 2);
+  EXPECT_DOUBLE_EQ(found.inward_max, 2);
+}
+
 TEST(Deviation, WeighsAVertexByItsArea) {
   // Two unit squares; the one vertex that moves is the corner of one triangle of area 1/2.
   const std::vector<Vec3d> before = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0},
