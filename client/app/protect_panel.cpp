@@ -4,6 +4,7 @@
 #include "client/app/places.h"
 #include "client/app/theme.h"
 #include "client/app/value_slider.h"
+#include "client/model/figures.h"
 
 namespace burnish {
 static float third_of_panel() {
@@ -89,6 +90,10 @@ static void draw_controls(Document& document, MessageLog& log) {
   ImGui::EndDisabled();
   hint("A closed scan keeps its volume. An open scan has none.");
   if (is_changed) document.set_controls(controls);
+  if (const std::string rims = rims_text(document); !rims.empty()) {
+    faint_text("%s", rims.c_str());
+    hint("The others are small holes, or run over another piece");
+  }
   draw_cap(document, log);
 }
 

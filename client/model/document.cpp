@@ -40,6 +40,7 @@ Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorde
             opened_.state.controls, opened_.state.equaliser,      opened_.state.palette,
             opened_.state.colour},
       measuring_(opened_.connection, opened_.session.id, tasks, log, options.wake) {
+  take_rims(opened_.state);
   if (has_colours()) colour_ = ColourBy::kScan;
   welcome_.session = opened_.session;
   welcome_.role = SessionRole::kEditor;  // until the server tells the role

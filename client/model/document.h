@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -43,6 +44,12 @@ struct DocumentOptions {
   std::filesystem::path pages;  ///< folder that keeps fetched pages; empty: none
   std::function<void()> wake;   ///< called from any thread when update() has something to do
   Clock clock = std::chrono::steady_clock::now;
+};
+
+/// The rims of a scan, and how many of them are held while the controls pin rims.
+struct RimCount {
+  uint64_t rims = 0;
+  uint64_t held = 0;
 };
 
 /// The quantity that colours the surface.
@@ -104,6 +111,8 @@ class Document {
   /// Bounds on what all edits do: as the user or the session set them last.
   const Controls& controls() const { return controls_; }
   void set_controls(const Controls& controls);
+  /// Returns how many rims stay; nothing while the controls let them move, or before it is told.
+  std::optional<RimCount> rims() const { return controls_.pin_rims ? rims_ : std::nullopt; }
   /// Changes the region in which nothing moves.
   void protect(Protect change) { send(std::move(change)); }
   /// Shows values that a drag passes; set_controls() ends it.
@@ -196,6 +205,7 @@ class Document {
   void forget_strokes();
   void add_dabs(const std::vector<Vec3d>& points);
   void refresh_history();
+  void take_rims(const SessionState& state);
   void renew_pages();
   Over over_now() const;
   void forget_over();
@@ -217,6 +227,7 @@ class Document {
   double beta_;
   CurveEditor curve_;
   Controls controls_;
+  std::optional<RimCount> rims_;  // absent until a state with pinned rims has come
   Equaliser equaliser_;
   Palette palette_;
   ColourFilter colour_filter_;

@@ -130,20 +130,30 @@ void Document::follow_server() {
   if (!(curve_.curve() == told_.transfer_curve)) curve_.set_curve(told_.transfer_curve);
 }
 
+// Keeps the counts: they are those of the scan at this depth.
+void Document::take_rims(const SessionState& state) {
+  if (state.controls.pin_rims) rims_ = RimCount{state.rims, state.rims_held};
+}
+
 void Document::refresh_history() {
   if (history_fetch_->running) {
     history_fetch_->again = true;
     return;
   }
   history_fetch_->running = true;
+  const bool asks_rims = !rims_ && told_.controls.pin_rims;
   tasks_.start([this, alive = std::weak_ptr(alive_), connection = opened_.connection,
-                session = opened_.session.id, wake = wake_](StopToken) -> Tasks::Completion {
+                session = opened_.session.id, asks_rims,
+                wake = wake_](StopToken) -> Tasks::Completion {
     connection->bring_back();
     auto history = connection->history(session);
+    std::optional<Result<SessionState>> state;
+    if (asks_rims) state = connection->state(session);
     wake();
-    return [this, alive, history = std::move(history)] {
+    return [this, alive, history = std::move(history), state = std::move(state)] {
       if (alive.expired()) return;
       history_fetch_->running = false;
+      if (state && state->is_ok()) take_rims(**state);
       if (history.is_ok()) history_ = *history;
       if (history.is_ok()) forget_over();
       if (std::exchange(history_fetch_->again, false)) refresh_history();

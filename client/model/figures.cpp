@@ -63,6 +63,12 @@ std::vector<Figure> deviation_figures(const Document& document) {
   return figures;
 }
 
+std::string rims_text(const Document& document) {
+  const auto count = document.rims();
+  if (!count || count->rims == 0) return {};
+  return "rims: " + std::to_string(count->held) + " of " + std::to_string(count->rims) + " stay";
+}
+
 std::vector<Figure> ruler_figures(const Document& document) {
   const Ruler& ruler = document.measuring().ruler;
   const auto length = ruler.length();

@@ -23,6 +23,9 @@ std::vector<Figure> link_figures(const Document& document);
 /// How far the surface has moved; empty until it is measured.
 std::vector<Figure> deviation_figures(const Document& document);
 
+/// Says how many of the scan's rims stay; empty where none is known.
+std::string rims_text(const Document& document);
+
 /// The ruler's distances; empty until it has two ends.
 std::vector<Figure> ruler_figures(const Document& document);
 

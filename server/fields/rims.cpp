@@ -203,6 +203,9 @@ std::string describe(const HeldRims& rims) {
   if (rims.held == rims.rims)
     return (rims.held == 1 ? "the one rim stays where it is"
                            : "all " + rims_of(rims.held) + " stay where they are");
+  if (rims.held == 0)
+    return "none of " + rims_of(rims.rims) +
+           " stays where it is: they are small holes, or run over another piece";
   return std::to_string(rims.held) + " of " + rims_of(rims.rims) +
          (rims.held == 1 ? " stays where it is" : " stay where they are") +
          "; the others are small holes, or run over another piece";

@@ -166,6 +166,7 @@ Result<SessionState> SessionManager::state(const std::string& reference, const C
   const SessionEntry& entry = *held.entry;
   const Fields& fields = entry.session->fields();
   const Solver& solver = entry.session->solver();
+  const auto rims = entry.session->edited().pinned_rims();
   const uint64_t memory_bytes = entry.session->byte_count() + client_bytes(entry);
   return SessionState{entry.info(),
                       fields.gradient_scale(),
@@ -180,8 +181,8 @@ Result<SessionState> SessionManager::state(const std::string& reference, const C
                       fields.equaliser(),
                       fields.palette(),
                       fields.colour(),
-                      fields.rims() ? fields.rims()->rims : 0,
-                      fields.rims() ? fields.rims()->held : 0};
+                      rims ? rims->rims : 0,
+                      rims ? rims->held : 0};
 }
 
 Result<std::string> SessionManager::delete_scan(const std::string& reference) {

@@ -92,6 +92,10 @@ class EditedFields {
   const History& history() const { return history_; }
   const Fields& fields() const { return fields_; }
   const Controls& controls() const { return controls_; }
+  /// Returns the rims while the controls pin them, though none may be held; else null.
+  std::shared_ptr<const HeldRims> pinned_rims() const {
+    return controls_.pin_rims ? rims_ : nullptr;
+  }
   /// Returns the protected region; not of one moment while this is behind.
   const Protection& protection() const { return protection_; }
   uint64_t byte_count() const { return checkpoints_.byte_count() + history_.byte_count(); }

@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "client/scene/null_page_renderer.h"
+#include "common/generate/generate.h"
+#include "common/mesh/mesh_io.h"
 #include "tests/system/server_process.h"
 
 namespace burnish {
@@ -124,6 +126,24 @@ TEST_F(FrontService, TheStartShowsTheServersScansAndSessions) {
   EXPECT_EQ(library["sessions"][0]["scan"], library["scans"][0]["id"]);
   EXPECT_GT(snapshot_["presets"].size(), 3u);
   EXPECT_TRUE(document().is_null());
+}
+
+TEST_F(FrontService, AnOpenScanSaysHowManyRimsStayAsSoonAsTheyDo) {
+  const auto sheet = server_.folder / "sheet.ply";
+  ASSERT_TRUE(write_mesh(make_sheet(20, 4, 0.1), sheet).is_ok());
+  ASSERT_TRUE(owner_.import_scan(sheet, "sheet", {5, 0}, {}).is_ok());
+  const auto opened = owner_.open_session({"sheet", "free", {5, 0}});
+  ASSERT_TRUE(opened.is_ok()) << opened.status().to_string();
+  const Edit let_go{"let-go", SetControls{{.pin_rims = false}}};
+  ASSERT_TRUE(owner_.apply("free", {&let_go, 1}).is_ok());
+  ASSERT_TRUE(start());
+  line("session join " + opened->session.id);
+  ASSERT_TRUE(until([this] { return is_settled(); }));
+  EXPECT_EQ(document()["rims"], "");
+  line("controls on 0 off");
+  EXPECT_TRUE(until([this] { return document()["rims"] == "rims: 1 of 1 stay"; }));
+  line("controls off 0 off");
+  EXPECT_TRUE(until([this] { return document()["rims"] == ""; }));
 }
 
 TEST_F(FrontService, AChangeSoonAfterASnapshotIsToldInTime) {

@@ -64,8 +64,9 @@ Status apply_edits(const FilterOptions& options, const std::vector<Edit>& edits,
     RETURN_IF_ERROR(layers.take(edit));
     RETURN_IF_ERROR(session.apply(edit));
   }
-  if (const auto& rims = session.fields().rims(); rims && !options.controls.pin_rims)
-    std::cerr << describe(*rims) << "; --pin-rims off lets them move\n";
+  const auto rims = session.edited().pinned_rims();
+  if (rims && rims->rims > 0 && !options.controls.pin_rims)
+    std::cerr << describe(*rims) << (rims->held > 0 ? "; --pin-rims off lets them move\n" : "\n");
   return Status::ok();
 }
 

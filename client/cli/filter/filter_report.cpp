@@ -65,8 +65,8 @@ static ordered_json memory_of(const Session& session, const FilterRun& run) {
 }
 
 static ordered_json rims_of(const Session& session) {
-  const auto& rims = session.fields().rims();
-  if (!rims) return nullptr;
+  const auto rims = session.edited().pinned_rims();
+  if (!rims || rims->rims == 0) return nullptr;
   return {{"number", rims->rims}, {"held", rims->held}};
 }
 

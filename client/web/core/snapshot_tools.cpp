@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "client/model/figures.h"
 #include "client/tools/band_choice.h"
 #include "client/web/core/snapshot.h"
 #include "common/edit/wavelength.h"
@@ -102,6 +103,7 @@ void write_tools(const Workspace& workspace, const FrontState& state, JsonWriter
   const Controls& controls = document.controls();
   json.key("controls").open().flag("pinRims", controls.pin_rims).number("cap", controls.cap);
   json.flag("keepVolume", controls.keep_volume).close();
+  json.text("rims", rims_text(document));
   write_bands(document, json);
   write_palette(document, json);
   json.key("colours").open().number("beta", document.colour_filter().beta);

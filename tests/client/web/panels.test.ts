@@ -113,6 +113,9 @@ test("LimitsHoldRimsMovesAndRegions", () =>
   bench.visitSession(async (visit) => {
     const panel = visit.page.getByRole("region", { name: "Limits" });
     await visit.sent("over protection on");
+    await panel.getByText("rims: 3 of 5 stay").waitFor();
+    await visit.document({ rims: "" });
+    await panel.getByText("rims: 3 of 5 stay").waitFor({ state: "detached" });
     await panel.getByRole("checkbox", { name: "Rims stay" }).click();
     await visit.sent("controls off 0 off");
     assert.ok(await panel.getByRole("checkbox", { name: "Volume stays" }).isDisabled());

@@ -62,6 +62,7 @@ export const session: Document = {
     histogram: Array.from({ length: 64 }, (_, i) => Math.exp(-(((i - 32) / 9) ** 2))),
   },
   controls: { pinRims: true, cap: 0, keepVolume: false },
+  rims: "rims: 3 of 5 stay",
   bands: [
     { size: 2, gain: 1, details: "finer than 2" },
     { size: 8, gain: 1.5, details: "2 to 8" },

@@ -200,6 +200,18 @@ TEST(Controls, AreEditsThatUndoTakesBackToThoseOfTheBirth) {
   EXPECT_EQ(session->edited().controls(), (Controls{.pin_rims = true}));
 }
 
+TEST(Controls, TellOfRimsThoughNoneIsHeld) {
+  const TriangleMesh soup = generate_scan({"soup", 3000, 1}).value();
+  const auto session = controlled(soup, {.pin_rims = true});
+  EXPECT_FALSE(session->fields().rims());
+  ASSERT_TRUE(session->edited().pinned_rims());
+  EXPECT_GT(session->edited().pinned_rims()->rims, 0u);
+  EXPECT_EQ(session->edited().pinned_rims()->held, 0u);
+  EXPECT_THAT(describe(*session->edited().pinned_rims()), HasSubstr("none of"));
+  ASSERT_TRUE(session->apply({"1", SetControls{{.pin_rims = false}}}).is_ok());
+  EXPECT_FALSE(session->edited().pinned_rims());
+}
+
 TEST(Controls, RefuseAVolumeOfAScanThatIsNotClosed) {
   const auto session = controlled(make_sheet(20, 1, 0.1), {});
   const Status status = session->edited().check_new({"1", SetControls{{.keep_volume = true}}});

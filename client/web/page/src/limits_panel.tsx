@@ -14,6 +14,11 @@ export function LimitsPanel({ document }: PanelProps) {
   return (
     <>
       <ControlChecks document={document} />
+      {document.rims && (
+        <div class="faint" title="The others are small holes, or run over another piece">
+          {document.rims}
+        </div>
+      )}
       <LargestMove document={document} />
       <LassoButtons document={document} />
       <RegionButtons document={document} />

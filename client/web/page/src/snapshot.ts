@@ -256,6 +256,8 @@ export interface Document {
   fidelity: number;
   curve: Curve;
   controls: { pinRims: boolean; cap: number; keepVolume: boolean };
+  /** How many rims stay, in words; empty: none is known. */
+  rims: string;
   bands: Band[];
   /** By how much waves are multiplied, from two cells to the diagonal, evenly in log length. */
   response: number[];
