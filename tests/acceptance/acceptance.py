@@ -1,6 +1,6 @@
 """Every scan, at its default depth with default controls, through every front, in pairs of features.
 
-Usage: acceptance.py [--short] [--pairs N] [--table FILE] [SCAN.ply]...
+Usage: acceptance.py [--short] [--pairs N] [--only CASE]... [--no-page] [--table FILE] [SCAN.ply]...
 
 Without scans it generates one of every kind. It prints a table, and ends with 1 if a cell failed.
 """
@@ -11,22 +11,42 @@ import pathlib
 import sys
 import tempfile
 import traceback
+import typing
 
+import burnish
+import numpy as np
 from server_process import ServerProcess
 
 import cases
 import checks
 import fronts
 
-KINDS = ("tablet", "icosphere", "cylinder", "sheet", "blob", "sheets", "fan", "soup", "part", "wall")
-SHORT_KINDS = ("tablet", "blob", "soup")
+KINDS = ("tablet", "coloured", "icosphere", "cylinder", "sheet", "blob", "sheets", "fan", "soup", "part", "wall")
+SHORT_KINDS = ("coloured", "blob", "soup")
 
 
 def generated(kinds, vertices, folder):
     for kind in kinds:
         file = folder / f"{kind}.ply"
-        fronts.run("generate", kind, file, "--vertices", vertices)
+        fronts.run("generate", "tablet" if kind == "coloured" else kind, file,
+                   "--vertices", vertices)
+        if kind == "coloured":
+            colour(file)
         yield file
+
+
+def colour(file):
+    """Gives a file's vertices colours: stripes, with noise from vertex to vertex."""
+    mesh = burnish.load_ply(file)
+    noise = np.random.default_rng(1).integers(-20, 21, (len(mesh.vertices), 3))
+    stripes = 128 + 60 * np.sin(mesh.vertices[:, 0] * (40 / np.ptp(mesh.vertices, axis=0).max()))
+    vertices = np.zeros(len(mesh.vertices), [("place", "<f8", 3), ("colour", "u1", 3)])
+    vertices["place"], vertices["colour"] = mesh.vertices, (stripes[:, None] + noise).astype(int)
+    head, faces = mesh.to_ply().split(b"end_header\n", 1)
+    head = head.replace(b"double z\n", b"double z\nproperty uchar red\nproperty uchar green\n"
+                                       b"property uchar blue\n")
+    faces = faces[mesh.vertices.nbytes:]
+    file.write_bytes(head + b"end_header\n" + vertices.tobytes() + faces)
 
 
 class Table:
@@ -51,71 +71,100 @@ class Table:
         return "\n".join(lines) + "\n"
 
 
-def try_case(facts, case, server, folder):
+def try_case(facts, case, ways, folder):
     """Returns the largest move over the diagonal. Raises AssertionError for what is not true."""
-    settings = case.settings(facts.diagonal)
-    out = folder / "filtered.ply"
-    report = fronts.filtered(facts.file, settings, out)
+    settings = case.settings(facts)
+    first, *others = [name for name, way in ways.items() if way.can(settings)]
+    out = folder / f"{first}.ply"
+    report = ways[first].go(settings, out)
     checks.check_report(report)
     moved = checks.moved_by(facts, out)
     checks.check_rims(facts, case, report, moved)
     checks.check_cap(facts, case, settings, moved)
     checks.check_kept(facts, case, out)
     checks.check_volume(facts, case, out)
-    ways = [("commands", server.by_commands), ("script", server.by_script)]
-    for name, way in ways:
+    checks.check_stroke(case, moved)
+    checks.check_protected(facts, case, report, moved)
+    for name in others:
         other = folder / f"{name}.ply"
-        way(settings, other)
-        assert other.read_bytes() == out.read_bytes(), f"{name} differs from filter"
-    if fronts.can_python(settings):
-        other = folder / "python.ply"
-        frame, _ = server.by_python(settings, other)
-        assert other.read_bytes() == out.read_bytes(), "python differs from filter"
-        checks.check_frame(facts, report, moved, frame)
+        told = ways[name].go(settings, other)
+        assert other.read_bytes() == out.read_bytes(), f"{name} differs from {first}"
+        if name == "python":
+            checks.check_frame(facts, report, moved, told)
     return moved.max() / facts.diagonal
 
 
-def try_refusal(facts, case, server, folder):
+def try_refusal(facts, case, ways, folder):
     """Every front refuses what the scan cannot take, and leaves no file. Returns the sentence."""
-    settings = case.settings(facts.diagonal)
+    settings = case.settings(facts)
     sentence = ""
-    for way in (lambda out: fronts.filtered(facts.file, settings, out),
-                lambda out: server.by_commands(settings, out),
-                lambda out: server.by_script(settings, out)):
+    for name, way in ways.items():
+        if not way.can(settings) or name == "python":
+            continue
         out = folder / "refused.ply"
         try:
-            way(out)
+            way.go(settings, out)
         except fronts.Refused as refused:
-            sentence = str(refused)
+            sentence = sentence or str(refused)
         else:
-            raise AssertionError("a front took what others refuse")
-        assert not out.exists(), "a refused command left a file"
+            raise AssertionError(f"{name} took what others refuse")
+        assert not out.exists(), f"{name} refused and left a file"
     return sentence
 
 
-def try_scan(file, tried, table):
+class Way(typing.NamedTuple):
+    """A front: what it can be told, and how it is told to make a file. The first one reports."""
+
+    can: typing.Callable
+    go: typing.Callable
+
+
+def ways_of(facts, server, page):
+    ways = {
+        "filter": Way(fronts.can_filter,
+                      lambda settings, out: fronts.filtered(facts.file, settings, out)),
+        "commands": Way(lambda _: True, server.by_commands),
+        "script": Way(lambda _: True, server.by_script),
+        "python": Way(fronts.can_python, server.by_python),
+    }
+    if page:
+        ways["page"] = Way(lambda _: True,
+                           lambda settings, out: server.by_page(page, settings, out))
+    return ways
+
+
+def try_scan(file, tried, table, with_page):
     facts = checks.facts_of(file)
     with contextlib.ExitStack() as stack:
-        process = ServerProcess("--log-level", "warn")
+        process = ServerProcess("--log-level", "warn", "--web", "127.0.0.1:0")
         stack.callback(process.close)
         server = fronts.Server(process.socket, file)
+        page = None
+        if with_page and fronts.has_page(process.web):
+            page = fronts.Page(process.web)
+            stack.callback(page.close)
+        else:
+            print(f"{file.stem}: without the page", flush=True)
+        ways = ways_of(facts, server, page)
         folder = pathlib.Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="burnish-")))
         for case in tried:
             try:
                 if cases.applies(case, facts):
-                    detail = f"moved {try_case(facts, case, server, folder):.1e}"
+                    detail = f"moved {try_case(facts, case, ways, folder):.1e}"
                     table.add(file.stem, case.name, "right", detail)
                 else:
                     table.add(file.stem, case.name, "refused",
-                              try_refusal(facts, case, server, folder))
-            except (AssertionError, fronts.Refused) as wrong:
+                              try_refusal(facts, case, ways, folder))
+            except (AssertionError, fronts.Refused, burnish.Error) as wrong:
                 table.add(file.stem, case.name, "FAILED", str(wrong) or traceback.format_exc())
 
 
 def main(words=None):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--short", action="store_true", help="few kinds, few cases")
+    parser.add_argument("--only", action="append", metavar="CASE", help="this case; repeatable")
     parser.add_argument("--pairs", type=int, default=6, help="so many random pairs of features")
+    parser.add_argument("--no-page", action="store_true", help="leave out the page in Chromium")
     parser.add_argument("--table", type=pathlib.Path, help="writes the table as Markdown")
     parser.add_argument("-v", action="store_true", help=argparse.SUPPRESS)
     parser.add_argument("scans", nargs="*", type=pathlib.Path)
@@ -123,11 +172,12 @@ def main(words=None):
     table = Table()
     tried = (cases.PLAIN[:2] + cases.SINGLE if given.short
              else cases.PLAIN + cases.SINGLE + cases.pairs(given.pairs))
+    tried = tuple(case for case in tried if not given.only or case.name in given.only)
     with tempfile.TemporaryDirectory(prefix="burnish-") as folder:
         files = given.scans or generated(SHORT_KINDS if given.short else KINDS,
                                          3000 if given.short else 30_000, pathlib.Path(folder))
         for file in files:
-            try_scan(file, tried, table)
+            try_scan(file, tried, table, not given.no_page)
     print(table.markdown())
     if given.table:
         given.table.write_text(table.markdown(), encoding="utf-8")

@@ -1,5 +1,6 @@
 """What is tried on every scan. A case is written once, in the options of `burnish filter` and
-`burnish edit`; each front translates it."""
+`burnish edit`; each front translates it. Three options hold text in place of a file's name:
+--palette, --stroke for both commands' strokes, and --protect, the words of `burnish protect`."""
 
 import dataclasses
 import itertools
@@ -8,25 +9,32 @@ import random
 
 @dataclasses.dataclass(frozen=True)
 class Case:
-    """Settings for one result. Lengths are parts of the scan's diagonal: settings() makes them real."""
+    """Settings for one result. Lengths are parts of the scan's diagonal, a stroke says what it paints
+    and a region is a part of the scan: settings() makes them real."""
 
     name: str
     options: tuple[tuple[str, str], ...]
 
-    def settings(self, diagonal):
-        """Returns the options of `burnish filter` as a list of pairs, with the scan's own lengths."""
-        return [(option, _with_lengths(option, value, diagonal)) for option, value in self.options]
+    def settings(self, facts):
+        """Returns the options as a list of pairs, with the scan's own lengths and places."""
+        return [(option, _on_scan(option, value, facts)) for option, value in self.options]
 
     def has(self, option):
         return any(name == option for name, _ in self.options)
 
 
-def _with_lengths(option, value, diagonal):
+def _on_scan(option, value, facts):
     if option == "--cap":
-        return repr(float(value) * diagonal)
+        return repr(float(value) * facts.diagonal)
     if option == "--band":
         size, gain = value.split(":")
-        return f"{float(size) * diagonal!r}:{gain}"
+        return f"{float(size) * facts.diagonal!r}:{gain}"
+    if option == "--stroke":
+        beta, paints = value.split()
+        points = [" ".join(map(repr, point)) for point in facts.path.tolist()]
+        return "\n".join([f"{BRUSH_RADIUS * facts.diagonal!r} 1 {beta} smooth {paints}", *points])
+    if option == "--protect":
+        return f"through {' '.join(map(repr, facts.half))} -1 -1 0 -1 0 1 -1 1"
     return value
 
 
@@ -34,6 +42,7 @@ def _case(name, *options):
     return Case(name, options)
 
 
+BRUSH_RADIUS = 0.1
 CURVE = "-40:200,-10:2,10:2,40:200"
 PRESETS = ("Reduce scanner noise", "Soften", "Bring out an inscription", "Deepen carving")
 
@@ -57,8 +66,12 @@ PARTS = {
     "cap": (("--cap", "0.002"),),
     "volume": (("--keep-volume", "on"),),
     "free rims": (("--pin-rims", "off"),),
+    "stroke": (("--stroke", "0 beta"),),
+    "palette": (("--palette", "10 ff8000 soft\n-40:20,40:200 0080ff keen"),
+                ("--stroke", "0.3 curve:1")),
+    "protected": (("--protect", "half"),),
 }
-SINGLE = tuple(Case(name, (*options, *(() if name == "beta" else (("--beta", "0.3"),))))
+SINGLE = tuple(Case(name, (*options, *(() if name in ("beta", "stroke") else (("--beta", "0.3"),))))
                for name, options in PARTS.items())
 
 

@@ -18,8 +18,16 @@ class Facts:
     mesh: burnish.Mesh
     diagonal: float
     rim: np.ndarray  # vertices of edges of exactly one triangle, by place
+    path: np.ndarray  # points of a stroke, near the middle
+    half: list[float]  # the matrix of a picture whose left half is the lower half of the scan
+    side: np.ndarray  # where each vertex is in this picture, from -1 to 1
     is_closed: bool
     has_colours: bool
+
+    @property
+    def half_scale(self):
+        """The picture's width of a length of 1 along the longest side."""
+        return max(abs(x) for x in self.half[:3])
 
 
 def facts_of(file):
@@ -37,9 +45,29 @@ def facts_of(file):
     is_closed = all(2 * turns.get(tuple(e), 0) == n for e, n in zip(edges.tolist(), count.tolist()))
     on_rim = np.zeros(place.max() + 1, bool)
     on_rim[edges[count == 1]] = True
-    colours = getattr(mesh, "colours", None)
-    return Facts(file, mesh, float(np.linalg.norm(box)), np.nonzero(on_rim[place])[0], is_closed,
-                 colours is not None and len(colours) > 0)
+    half, side = _half(mesh.vertices, used)
+    return Facts(file, mesh, float(np.linalg.norm(box)), np.nonzero(on_rim[place])[0], _path(
+        mesh.vertices[used]), half, side, is_closed, b" red\n" in file.read_bytes()[:4096])
+
+
+def _path(vertices):
+    """Returns the vertices nearest to the middle, and to a place beside it along the longest side."""
+    low, high = vertices.min(0), vertices.max(0)
+    step = np.where(high - low == (high - low).max(), 0.2 * (high - low), 0)
+    places = (low + high) / 2, (low + high) / 2 + step
+    return np.array([vertices[np.linalg.norm(vertices - place, axis=1).argmin()] for place in places])
+
+
+def _half(vertices, used):
+    """Returns a matrix that looks across the longest side, and what it makes of this side."""
+    low, high = vertices[used].min(0), vertices[used].max(0)
+    long, other = np.argsort(low - high)[:2]
+    matrix = np.zeros((4, 4))
+    for row, axis in enumerate((long, other)):
+        matrix[row, axis] = 1.8 / max(high[axis] - low[axis], 1e-300)
+        matrix[row, 3] = -matrix[row, axis] * (low[axis] + high[axis]) / 2
+    matrix[3, 3] = 1
+    return matrix.ravel().tolist(), vertices[:, long] * matrix[0, long] + matrix[0, 3]
 
 
 def moved_by(facts, out):
@@ -67,6 +95,19 @@ def check_rims(facts, case, report, moved):
     else:
         still = np.count_nonzero(moved[facts.rim] == 0)
         assert rims["held"] == 0 or still > 0, "no held rim is still"
+
+
+def check_protected(facts, case, report, moved):
+    """No vertex moves whose cell and its neighbours lie in the region."""
+    if case.has("--protect"):
+        inside = facts.side < -2 * report["grid"]["cell_size"] * facts.half_scale
+        assert not moved[inside].any(), f"a protected vertex moved by {moved[inside].max():.1e}"
+        assert moved.any(), "all is protected"
+
+
+def check_stroke(case, moved):
+    if case.has("--stroke"):
+        assert moved.any(), "a stroke moves nothing"
 
 
 def check_cap(facts, case, settings, moved):

@@ -2,11 +2,15 @@
 
 import json
 import os
+import pathlib
 import subprocess
+import tempfile
+import urllib.request
 
 import burnish
 
-FRAME_TIMEOUT_S = 600
+PATIENCE_S = 1200  # for a frame at rest, and for the page
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 class Refused(Exception):
@@ -24,14 +28,32 @@ def run(*words):
     return done.stdout
 
 
-def _flat(settings):
-    return [word for pair in settings for word in pair]
+def _words(settings, strokes, out):
+    """Returns the words of a command. Text goes into files beside `out`; `strokes`: its option."""
+    words = []
+    for name, value in settings:
+        if name not in ("--palette", "--stroke", "--protect"):
+            words += [name, value]
+    texts = {"--palette": [value for name, value in settings if name == "--palette"],
+             strokes: [f"brush {value}" for name, value in settings if name == "--stroke"]}
+    for name, text in texts.items():
+        if text:
+            file = out.with_suffix("." + name.strip("-"))
+            file.write_text("\n".join(text) + "\n", encoding="utf-8")
+            words += [name, file]
+    return words
+
+
+def can_filter(settings):
+    """Returns whether `burnish filter` has all of these: it protects no region."""
+    return not any(name == "--protect" for name, _ in settings)
 
 
 def filtered(scan, settings, out):
     """By `burnish filter`. Returns its report."""
     report = out.with_suffix(".json")
-    run("filter", scan, out, "--exact", "--report", report, *_flat(settings))
+    run("filter", scan, out, "--exact", "--report", report,
+        *_words(settings, "--beta-paint", out))
     return json.loads(report.read_text(encoding="utf-8"))
 
 
@@ -49,11 +71,20 @@ class Server:
         return self.connection.open_session(self.scan, f"session {self._opened}")
 
     def by_commands(self, settings, out):
-        """By `burnish edit` and `burnish export`."""
+        """By `burnish edit`, `protect` and `export`. Returns as much of a report as they tell."""
         with _deleted(self._open()) as session:
-            if settings:
-                run("edit", session.id, *_flat(settings), *self.at)
-            run("export", session.id, out, "--exact", *self.at)
+            words = _words(settings, "--stroke", out)
+            if words:
+                run("edit", session.id, *words, *self.at)
+            for name, value in settings:
+                if name == "--protect":
+                    run("protect", *self.at, session.id, *value.split())
+            told = json.loads(run("export", session.id, out, "--exact", "--json", *self.at))
+            state = session.state()
+        prepared = self.scan.prepared(session.depth)
+        return {"converged": told["converged"], "distance": told["distance"], "fell_back": False,
+                "rims": {"number": state.rims, "held": state.rims_held},
+                "grid": {"cell_size": prepared.cell_size}}
 
     def by_script(self, settings, out):
         """By a script of the window's commands."""
@@ -63,17 +94,24 @@ class Server:
             script.write_text("\n".join(lines) + "\n", encoding="utf-8")
             run("--script", script, *self.at)
 
+    def by_page(self, page, settings, out):
+        """By a script that the page replays."""
+        script = out.with_suffix(".txt")
+        with _deleted(self._open()) as session:
+            lines = [*_script_lines(settings), "wait", f"export {out.name} exact"]
+            script.write_text("\n".join(lines) + "\n", encoding="utf-8")
+            page.follow(session.name, script, out)
+
     def by_python(self, settings, out):
-        """By the Python package. Returns the live frame at rest, and the mesh that it moves."""
+        """By the Python package. Returns the live frame at rest."""
         with _deleted(self._open()) as session:
             with session.live() as live:
                 changes = _changes(settings)
                 if changes:
                     live.apply(*changes)
-                frame = live.settle(FRAME_TIMEOUT_S)
-                original = live.original.vertices
+                frame = live.settle(PATIENCE_S)
             session.export(out, exact=True)
-        return frame, original
+        return frame
 
 
 class _deleted:
@@ -85,6 +123,45 @@ class _deleted:
 
     def __exit__(self, *_):
         self._session.delete()
+
+
+def has_page(address):
+    """Returns whether the server at this address carries the page, and not a note in its place."""
+    with urllib.request.urlopen(address, timeout=PATIENCE_S) as answer:
+        return b"data-core" in answer.read()
+
+
+class Page:
+    """The page of a server, in Chromium. Needs what `deploy/setup --web` installs."""
+
+    def __init__(self, address):
+        self._folder = tempfile.TemporaryDirectory(prefix="burnish-")
+        program = f"{self._folder.name}/page_front.cjs"
+        subprocess.run(["esbuild", ROOT / "tests/acceptance/page_front.ts", "--bundle",
+                        "--platform=node", "--format=cjs", "--external:playwright-core",
+                        "--log-level=warning", f"--outfile={program}"], check=True)
+        self._process = subprocess.Popen(
+            ["node", program, address, str(PATIENCE_S)], stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE, text=True, env={**os.environ, "NODE_PATH": ROOT / "node_modules"})
+
+    def follow(self, session, script, out):
+        """Lets the page replay a script in a session. Raises Refused with its sentence."""
+        order = {"session": session, "script": str(script), "out": str(out)}
+        print(json.dumps(order), file=self._process.stdin, flush=True)
+        answer = self._process.stdout.readline()
+        if not answer:
+            raise AssertionError(f"the page's browser ended with {self._process.wait()}")
+        told = json.loads(answer)
+        if "failed" in told:
+            raise AssertionError(told["failed"])
+        if "refused" in told:
+            raise Refused(told["refused"])
+
+    def close(self):
+        self._process.stdin.close()
+        self._process.wait()
+        self._process.stdout.close()
+        self._folder.cleanup()
 
 
 def _controls(settings):
@@ -115,6 +192,14 @@ def _script_lines(settings):
         lines.append("bands " + " ".join(_bands(settings)))
     if "--colour-beta" in given:
         lines.append(f"colours {given['--colour-beta']}")
+    for name, value in settings:
+        if name == "--palette":
+            lines.append("palette " + value.replace("\n", " ; "))
+    for name, value in settings:
+        if name == "--stroke":
+            lines.append("stroke " + value.replace("\n", " "))
+        if name == "--protect":
+            lines.append(f"protect {value}")
     if _has_controls(settings):
         of = _controls(settings)
         words = ("on" if of.pin_rims else "off", repr(of.cap), "on" if of.keep_volume else "off")
@@ -131,8 +216,7 @@ def _changes(settings):
     given = dict(settings)
     changes = []
     if "--curve" in given:
-        points = (point.split(":") for point in given["--curve"].split(","))
-        changes.append(burnish.TransferCurve({float(k): float(a) for k, a in points}))
+        changes.append(_curve(given["--curve"]))
     if "--alpha" in given:
         changes.append(burnish.TransferCurve.constant(float(given["--alpha"])))
     if "--beta" in given:
@@ -142,6 +226,38 @@ def _changes(settings):
         changes.append(burnish.Equaliser([burnish.Band(float(s), float(g)) for s, g in parts]))
     if "--colour-beta" in given:
         changes.append(burnish.ColourFilter(float(given["--colour-beta"])))
+    makers = {"--palette": _palette, "--stroke": _stroke, "--protect": _region}
+    for wanted, make in makers.items():
+        changes += [make(value) for name, value in settings if name == wanted]
     if _has_controls(settings):
         changes.append(_controls(settings))
     return changes
+
+
+def _palette(text):
+    lines = [line.split(maxsplit=2) for line in text.splitlines()]
+    return burnish.Palette([burnish.PaletteCurve(name, _curve(curve), int(colour, 16))
+                            for curve, colour, name in lines])
+
+
+def _stroke(text):
+    brush, *points = text.splitlines()
+    radius, strength, beta, fall_off, paints = brush.split()
+    curve = int(paints.split(":")[1]) if paints.startswith("curve:") else None
+    return burnish.Stroke(burnish.Brush(float(radius), float(beta), float(strength), fall_off,
+                                        curve=curve),
+                          [[float(x) for x in point.split()] for point in points])
+
+
+def _region(text):
+    numbers = [float(word) for word in text.split()[1:]]
+    return burnish.ProtectLasso([numbers[row:row + 4] for row in range(0, 16, 4)],
+                                [numbers[at:at + 2] for at in range(16, len(numbers), 2)],
+                                through=True)
+
+
+def _curve(text):
+    if ":" not in text:
+        return burnish.TransferCurve.constant(float(text))
+    points = (point.split(":") for point in text.split(","))
+    return burnish.TransferCurve({float(kappa): float(alpha) for kappa, alpha in points})

@@ -10,7 +10,10 @@ PATIENCE_S = 120  # a step of a test that takes longer counts as hanging
 
 
 class ServerProcess:
-    """Listens on a free loopback port and on a Unix socket; `flags` are burnish-server's."""
+    """Listens on a free loopback port and on a Unix socket; `flags` are burnish-server's.
+
+    `web`: the page's address, if they have one.
+    """
 
     def __init__(self, *flags):
         self._folder = tempfile.TemporaryDirectory(prefix="burnish-")
@@ -28,6 +31,7 @@ class ServerProcess:
             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         self.pid = self._process.pid
         self._address = None
+        self.web = None
         self._listens = threading.Event()
         self._reader = threading.Thread(target=self._read, daemon=True)
         self._reader.start()
@@ -77,6 +81,8 @@ class ServerProcess:
         for line in self._process.stdout:
             self._log.write(line)
             self._log.flush()
+            if line.startswith("web on "):  # comes before the other one
+                self.web = line.split()[-1]
             if self._address is None and announcement in line:
                 self._address = line.split(announcement, 1)[1].split()[0]
                 self._listens.set()

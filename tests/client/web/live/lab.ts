@@ -106,7 +106,7 @@ export class Visit {
   }
 
   async join(session: string): Promise<void> {
-    await this.page.getByRole("button", { name: `Join ${session}` }).click();
+    await this.page.getByRole("button", { name: `Join ${session}`, exact: true }).click();
     await this.settled();
   }
 
@@ -154,13 +154,19 @@ export class Visit {
     return section;
   }
 
-  /** Runs lines of the script language, as a file that the user replays. */
-  async replay(lines: string[]): Promise<void> {
+  /** Begins to run lines of the script language, as a file that the user replays. Returns the file's name. */
+  async begin(lines: string[]): Promise<string> {
     const chooser = this.page.waitForEvent("filechooser");
     await this.choose("File", "Replay a script…");
     const buffer = Buffer.from([...lines, ""].join("\n"));
     const name = `lines-${++this.replayed}.burnish`;
     await (await chooser).setFiles({ name, mimeType: "text/plain", buffer });
+    return name;
+  }
+
+  /** Runs lines of the script language to their end. */
+  async replay(lines: string[]): Promise<void> {
+    const name = await this.begin(lines);
     await this.page.getByText(`replayed ${name}`).waitFor();
   }
 
