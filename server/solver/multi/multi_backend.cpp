@@ -56,12 +56,10 @@ class MultiBackend final : public Backend {
   void fall_back() override {
     for_all([](Backend& backend, int) { backend.fall_back(); });
   }
-  // One thread finds all shards' fields, with the threads that it has already. Those of a second
-  // team would sleep between its loops, and waking them takes longer than the loops.
   void set_constraint(const FieldsView& fields) override {
-    std::vector<FieldsView> of_shards;
-    for (ShardFields& of_shard : fields_) of_shards.push_back(of_shard.constraint(fields));
-    for_all([&](Backend& backend, int number) { backend.set_constraint(of_shards[number]); });
+    for_all([&](Backend& backend, int number) {
+      backend.set_constraint(fields_[number].constraint(fields));
+    });
   }
 
   void relax_from_zero(int depth) override {

@@ -7,6 +7,8 @@
 
 namespace burnish {
 
+static constexpr int64_t kParallelMin = 256;  // stretches; below, waking threads takes longer
+
 ShardFields::ShardFields(std::span<const int32_t> cells)
     : cells_(cells),
       follow_(cells.size(), 1),
@@ -40,26 +42,35 @@ LineView ShardFields::held(const LineView& whole) {
 }
 
 FieldsView ShardFields::constraint(const FieldsView& whole) {
-  const auto stretches = static_cast<int64_t>(is_painted_.size());
-#pragma omp parallel for schedule(static)
-  for (int64_t stretch = 0; stretch < stretches; ++stretch)
-    take_stretch(whole.paint, static_cast<size_t>(stretch));
+  find_painted(whole.paint);
+  const auto painted = static_cast<int64_t>(painted_.size());
+#pragma omp parallel for schedule(static) if (painted >= kParallelMin)
+  for (int64_t i = 0; i < painted; ++i) take_stretch(whole.paint, painted_[i]);
   FieldsView view{};
   view.gradient_scale = whole.gradient_scale;
   view.paint = {follow_, own_, is_painted_};
   return view;
 }
 
-// A stretch's cells rise, so they lie in some stretches of the whole scan from a first to a last.
+// Few stretches have paint. So one thread, which need not wake others, has looked at all of them
+// soon. A stretch's cells rise, so they lie in some stretches of the whole scan from a first to a
+// last.
+void ShardFields::find_painted(const CellPaint& whole) {
+  painted_.clear();
+  for (size_t stretch = 0; stretch < is_painted_.size(); ++stretch) {
+    const size_t end = std::min((stretch + 1) * CellPaint::kStretch, cells_.size());
+    const size_t first = cells_[stretch * CellPaint::kStretch] / CellPaint::kStretch;
+    const size_t last = cells_[end - 1] / CellPaint::kStretch;
+    const bool has_paint =
+        std::ranges::any_of(whole.is_painted.subspan(first, last - first + 1), std::identity());
+    if (has_paint || is_painted_[stretch]) painted_.push_back(static_cast<int32_t>(stretch));
+    is_painted_[stretch] = has_paint;
+  }
+}
+
 void ShardFields::take_stretch(const CellPaint& whole, size_t stretch) {
   const size_t begin = stretch * CellPaint::kStretch;
   const size_t end = std::min(begin + CellPaint::kStretch, cells_.size());
-  const size_t first = cells_[begin] / CellPaint::kStretch;
-  const size_t last = cells_[end - 1] / CellPaint::kStretch;
-  const bool has_paint =
-      std::ranges::any_of(whole.is_painted.subspan(first, last - first + 1), std::identity());
-  if (!has_paint && is_painted_[stretch] == 0) return;
-  is_painted_[stretch] = has_paint;
   for (size_t c = begin; c < end; ++c) {
     follow_[c] = whole.follow[cells_[c]];
     own_[c] = whole.own[cells_[c]];
@@ -69,7 +80,8 @@ void ShardFields::take_stretch(const CellPaint& whole, size_t stretch) {
 uint64_t ShardFields::byte_count() const {
   return own_fields_.capacity() * sizeof(OwnFields) + lines_.capacity() * sizeof(LineMass) +
          first_line_.capacity() * sizeof(int32_t) +
-         (follow_.capacity() + own_.capacity()) * sizeof(float) + is_painted_.capacity();
+         (follow_.capacity() + own_.capacity()) * sizeof(float) + is_painted_.capacity() +
+         painted_.capacity() * sizeof(int32_t);
 }
 
 }  // namespace burnish

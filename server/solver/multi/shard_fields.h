@@ -23,6 +23,7 @@ class ShardFields {
 
  private:
   LineView held(const LineView& whole);
+  void find_painted(const CellPaint& whole);
   void take_stretch(const CellPaint& whole, size_t stretch);
 
   std::span<const int32_t> cells_;
@@ -31,6 +32,7 @@ class ShardFields {
   std::vector<int32_t> first_line_;
   std::vector<float> follow_, own_;
   std::vector<uint8_t> is_painted_;  // per stretch
+  std::vector<int32_t> painted_;     // stretches that have paint or had some at the last call
 };
 
 }  // namespace burnish
