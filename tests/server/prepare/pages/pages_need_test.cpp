@@ -34,7 +34,8 @@ TEST_P(PagesPeak, IsPredictedAndThePredictionIsNotFarAbove) {
   RecordProperty("taken", std::to_string(taken));
   RecordProperty("predicted", std::to_string(need.memory_bytes));
   EXPECT_LE(taken, need.memory_bytes);
-  EXPECT_LE(need.memory_bytes, 1.5 * taken + (16 << 20));
+  // This soup's vertices join. The prediction is for one whose vertices do not agree.
+  EXPECT_LE(need.memory_bytes, 1.75 * taken + (16 << 20));
   EXPECT_LE(std::filesystem::file_size(folder / "scan.pages"), need.file_bytes);
 }
 
