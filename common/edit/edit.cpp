@@ -120,8 +120,7 @@ struct Summary {
   }
   std::string operator()(const Stroke& stroke) const {
     return "stroke of " + count(stroke.path.size(), "point") + ", radius " +
-           number(stroke.brush.radius) + ", " + painted_text(stroke.brush) +
-           (stroke.brush.connected ? "" : ", through walls");
+           number(stroke.brush.radius) + ", " + painted_text(stroke.brush);
   }
   std::string operator()(const SetCellFields& change) const {
     return "fields of " + count(change.cells.size(), "cell");

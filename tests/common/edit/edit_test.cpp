@@ -50,8 +50,6 @@ TEST(Edit, SaysWhatItDoesInAFewWords) {
   EXPECT_EQ(said(SetTransferCurve{*TransferCurve::create({{-1, 5}, {1, 50}})}),
             "curve of 2 points, contrast 10");
   EXPECT_EQ(said(Stroke{{0.5, 1, 2, FallOff::kSmooth}, {{0, 0, 0}}}),
-            "stroke of 1 point, radius 0.5, beta 2, through walls");
-  EXPECT_EQ(said(Stroke{{.radius = 0.5, .beta = 2, .connected = true}, {{0, 0, 0}}}),
             "stroke of 1 point, radius 0.5, beta 2");
   EXPECT_EQ(said(SetCellFields{}), "fields of 0 cells");
   EXPECT_EQ(said(SwitchEntry{3, false}), "switch off 3");
