@@ -74,7 +74,7 @@ class SurfaceNear {
   std::vector<Node> nodes_;
   std::vector<int32_t> neighbours_;
 
-  // Of one dab. Units: grid units, but for centre_.
+  // Facts about one dab, in grid units; centre_ is not.
   Vec3d centre_, grid_centre_;
   double radius_ = 0;
   std::vector<int32_t> met_;                 // nodes with a way

@@ -15,7 +15,7 @@ constexpr uint64_t kBatchBytesPerElement = 32;
 constexpr uint64_t kHeapBytesPerPage = 256;   // bounds, directory, place of the replacement
 constexpr uint64_t kTrianglesPerPage = 1000;  // at least, over all levels
 constexpr uint64_t kSharedBytesPerVertex =
-    36;  // sums of vertices of several pages; most of a soup's
+    40;  // sums of vertices of several pages; most of a soup's whose vertices stay apart
 
 // Of the file, all levels together.
 constexpr uint64_t kFileBytesPerTriangle = 6;

@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/common/split_vertices.h"
+
 namespace burnish {
 namespace {
 
@@ -32,17 +34,6 @@ TriangleMesh make_fold(double degrees) {
 const std::vector<uint32_t> kJoined = {0, 1, 2, 3, 1, 0, 6, 7};
 const std::vector<uint32_t> kApart = {0, 1, 2, 3, 4, 5, 6, 7};
 
-/// The same triangles, each with vertices of its own.
-TriangleMesh torn(const TriangleMesh& mesh) {
-  TriangleMesh soup;
-  for (const Triangle& triangle : mesh.triangles) {
-    const auto first = static_cast<uint32_t>(soup.vertices.size());
-    soup.triangles.push_back({first, first + 1, first + 2});
-    for (const uint32_t vertex : triangle) soup.vertices.push_back(mesh.vertices[vertex]);
-  }
-  return soup;
-}
-
 TEST(AgreeingVertices, AreNoneWhereNoVerticesMeet) {
   TriangleMesh mesh = make_fold(0);
   mesh.vertices.resize(4);
@@ -61,8 +52,8 @@ TEST(AgreeingVertices, StayApartAtACreaseAndBackToBack) {
 }
 
 TEST(AgreeingVertices, OfASoupStayApartBackToBackAlone) {
-  EXPECT_THAT(agreeing(torn(make_fold(100))), ElementsAre(0, 1, 2, 0, 2, 5, 1, 0, 8, 1, 8, 11));
-  EXPECT_THAT(agreeing(torn(make_fold(179))), ElementsAre(0, 1, 2, 0, 2, 5, 6, 7, 8, 6, 8, 11));
+  EXPECT_THAT(agreeing(as_soup(make_fold(100))), ElementsAre(0, 1, 2, 0, 2, 5, 1, 0, 8, 1, 8, 11));
+  EXPECT_THAT(agreeing(as_soup(make_fold(179))), ElementsAre(0, 1, 2, 0, 2, 5, 6, 7, 8, 6, 8, 11));
 }
 
 TEST(AgreeingVertices, StayApartWithOtherColours) {

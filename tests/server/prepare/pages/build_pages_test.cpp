@@ -9,6 +9,7 @@
 
 #include "common/mesh/statistics.h"
 #include "server/prepare/pages/page_vertices.h"
+#include "tests/common/split_vertices.h"
 #include "tests/common/temporary_folder.h"
 #include "tests/server/prepare/pages/pages_test_meshes.h"
 #include "tests/server/prepare/pages/read_pages.h"
@@ -89,7 +90,7 @@ TEST_F(BuildPages, Level0IsTheScan) {
 
 TEST_F(BuildPages, ATornSurfaceHasTheVerticesAndNormalsOfTheWholeOne) {
   const TriangleMesh mesh = scan_of_kind("blob", 20'000);
-  const ReadPages whole = pages_of(mesh), pieces = pages_of(torn(mesh));
+  const ReadPages whole = pages_of(mesh), pieces = pages_of(as_soup(mesh));
   const size_t pages = whole.directory.head.level_begin(1);
   ASSERT_EQ(pieces.directory.head.level_begin(1), pages);
   for (size_t page = 0; page < pages; ++page) {

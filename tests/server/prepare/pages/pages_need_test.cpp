@@ -15,10 +15,23 @@ namespace {
 
 using testing::HasSubstr;
 
-class PagesPeak : public testing::TestWithParam<const char*> {};
+// A soup whose vertices stay apart: each triangle has a colour of its own.
+TriangleMesh soup_apart(uint64_t vertices) {
+  TriangleMesh soup = scan_of_kind("soup", vertices);
+  for (size_t v = 0; v < soup.vertices.size(); ++v) {
+    const size_t triangle = v / 3;
+    soup.colours.push_back({static_cast<uint8_t>(triangle), static_cast<uint8_t>(triangle >> 8),
+                            static_cast<uint8_t>(triangle >> 16), 255});
+  }
+  return soup;
+}
+
+class PagesPeak : public testing::TestWithParam<std::string> {};
 
 TEST_P(PagesPeak, IsPredictedAndThePredictionIsNotFarAbove) {
-  const TriangleMesh mesh = scan_of_kind(GetParam(), 400'000);
+  const std::string& kind = GetParam();
+  const TriangleMesh mesh =
+      kind == "soup_apart" ? soup_apart(400'000) : scan_of_kind(kind.c_str(), 400'000);
   const MeshStatistics statistics = compute_statistics(mesh);
   const PagesInput scan = {mesh.vertices, mesh.triangles, mesh.colours, statistics};
   const TemporaryFolder folder;
@@ -34,13 +47,14 @@ TEST_P(PagesPeak, IsPredictedAndThePredictionIsNotFarAbove) {
   RecordProperty("taken", std::to_string(taken));
   RecordProperty("predicted", std::to_string(need.memory_bytes));
   EXPECT_LE(taken, need.memory_bytes);
-  // This soup's vertices join. The prediction is for one whose vertices do not agree.
-  EXPECT_LE(need.memory_bytes, 1.75 * taken + (16 << 20));
+  // A prediction cannot know that a soup's vertices join: this one takes half of one apart.
+  const double factor = kind == "soup" ? 1.75 : 1.5;
+  EXPECT_LE(need.memory_bytes, factor * static_cast<double>(taken) + (16 << 20));
   EXPECT_LE(std::filesystem::file_size(folder / "scan.pages"), need.file_bytes);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, PagesPeak, testing::Values("blob", "tablet", "soup"),
-                         [](const auto& instance) { return std::string(instance.param); });
+INSTANTIATE_TEST_SUITE_P(Shapes, PagesPeak, testing::Values("blob", "tablet", "soup", "soup_apart"),
+                         [](const auto& instance) { return instance.param; });
 
 TEST(PagesNeed, NamesTrianglesMemoryAndFile) {
   PreparationNeed need;

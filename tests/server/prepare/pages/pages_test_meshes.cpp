@@ -32,16 +32,6 @@ TriangleMesh loose_triangles(uint32_t count) {
   return mesh;
 }
 
-TriangleMesh torn(const TriangleMesh& mesh) {
-  TriangleMesh soup;
-  for (const Triangle& triangle : mesh.triangles) {
-    const auto first = static_cast<uint32_t>(soup.vertices.size());
-    soup.triangles.push_back({first, first + 1, first + 2});
-    for (const uint32_t vertex : triangle) soup.vertices.push_back(mesh.vertices[vertex]);
-  }
-  return soup;
-}
-
 TriangleMesh tangle(uint32_t vertices, uint32_t triangles) {
   std::mt19937 random(1);
   TriangleMesh mesh;

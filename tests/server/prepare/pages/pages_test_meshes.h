@@ -12,9 +12,6 @@ TriangleMesh scan_of_kind(const char* kind, uint64_t vertices);
 /// Triangles that share no vertex, of random place and size, in the unit cube.
 TriangleMesh loose_triangles(uint32_t count);
 
-/// The same triangles, each with vertices of its own.
-TriangleMesh torn(const TriangleMesh& mesh);
-
 /// Random triangles between few vertices: each page has nearly all vertices.
 TriangleMesh tangle(uint32_t vertices, uint32_t triangles);
 
