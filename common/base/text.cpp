@@ -1,8 +1,12 @@
 #include "common/base/text.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 
 #include "common/base/limits.h"
 #include "common/base/parse_number.h"
@@ -10,15 +14,18 @@
 namespace burnish {
 
 #ifdef __wasm__
-// The library's way has tables of 100 kB, which each browser would load.
+// The library's way has tables of 100 kB, which each browser would load. Its rule holds here too:
+// the fewest digits that are read back, in the shorter notation, and without an exponent in a tie.
 std::string shortest_text(double number) {
   static constexpr int kDigitsMax = 17;
-  char text[32];
-  for (int digits = 1; digits <= kDigitsMax; ++digits) {
-    std::snprintf(text, sizeof text, "%.*g", digits, number);
-    if (parse_number<double>(text) == number) break;
-  }
-  return text;
+  char scientific[32], fixed[340];  // the largest number has 309 digits
+  if (!std::isfinite(number)) return std::isnan(number) ? "nan" : number < 0 ? "-inf" : "inf";
+  int digits = 1;
+  do std::snprintf(scientific, sizeof scientific, "%.*e", digits - 1, number);
+  while (parse_number<double>(scientific) != number && ++digits <= kDigitsMax);
+  const int exponent = std::atoi(std::strchr(scientific, 'e') + 1);
+  std::snprintf(fixed, sizeof fixed, "%.*f", std::max(0, digits - 1 - exponent), number);
+  return std::strlen(fixed) <= std::strlen(scientific) ? fixed : scientific;
 }
 #else
 std::string shortest_text(double number) {

@@ -160,6 +160,10 @@ TEST_F(FrontService, AChangeSoonAfterASnapshotIsToldInTime) {
 
 TEST_F(FrontService, AnOpenSessionIsShownWithAllThatPanelsHave) {
   ASSERT_TRUE(open());
+  // The session is settled before the server tells who looks on, and before a snapshot tells it.
+  ASSERT_TRUE(until([this] {
+    return !document()["people"].empty() && document()["view"]["status"] == "full detail";
+  }));
   EXPECT_EQ(document()["session"], "work");
   EXPECT_EQ(document()["link"], "live");
   EXPECT_EQ(document()["depth"], 5);
