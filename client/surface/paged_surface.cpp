@@ -169,7 +169,8 @@ uint64_t PagedSurface::vertices_in_flight_max() const {
 
 Status PagedSurface::show_pages() {
   ShownSet::Change change =
-      shown_.change(loader_->cut(), loader_->cache(), frame_.get(), vertices_in_flight_max());
+      shown_.change(loader_->cut(), loader_->cache(), frame_.get(), vertices_in_flight_max(),
+                    server_vertices_max_ * shown_.copies());
   if (change.is_empty()) return Status::ok();
   return link_.show_pages(std::move(change.added), std::move(change.removed));
 }

@@ -9,9 +9,10 @@
 namespace burnish {
 
 ShownSet::Change ShownSet::change(const ChosenCut& cut, const PageCache& cache,
-                                  const SurfaceFrame* frame, uint64_t vertices_in_flight_max) {
+                                  const SurfaceFrame* frame, uint64_t vertices_in_flight_max,
+                                  uint64_t server_vertices_max) {
   Change change;
-  remove(cut, change);
+  remove(cut, server_vertices_max, change);
   add(cut, cache, frame, vertices_in_flight_max, change);
   if (shows_colours_) add_colours(cut, cache, change);
   return change;
@@ -58,7 +59,8 @@ void ShownSet::add_colours(const ChosenCut& cut, const PageCache& cache, Change&
   }
 }
 
-void ShownSet::remove(const ChosenCut& cut, Change& change) {
+// A server that has refused the pages refuses them again as long as they are the same.
+void ShownSet::remove(const ChosenCut& cut, uint64_t server_vertices_max, Change& change) {
   std::unordered_set<PageId> needed(cut.pages.begin(), cut.pages.end());
   for (const WantedPage& wanted : cut.used) needed.insert(wanted.page);
   if (shows_colours_)
@@ -68,7 +70,8 @@ void ShownSet::remove(const ChosenCut& cut, Change& change) {
   for (const auto& [page, vertices] : shown_)
     if (!needed.contains(page)) unneeded.push_back(page);
   const size_t kept_max = std::max<size_t>(16, shown_.size() / 5);
-  const bool is_room_short = needed.size() + unneeded.size() > kShownPagesMax;
+  const bool is_refused = server_vertices_max > 0 && vertex_count() > server_vertices_max;
+  const bool is_room_short = is_refused || needed.size() + unneeded.size() > kShownPagesMax;
   if (unneeded.size() <= kept_max && !is_room_short) return;
   for (const PageId page : unneeded) shown_.erase(page);
   change.removed = std::move(unneeded);

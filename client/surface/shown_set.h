@@ -25,9 +25,10 @@ class ShownSet {
 
   /// Returns what to change for this picture. New pages come as whole keys, so on a slow link only
   /// as many vertices are added as fit `vertices_in_flight_max`, the most urgent first; 0: any
-  /// number. `frame` may be null.
+  /// number. Removes at once above `server_vertices_max`, as vertex_count() counts; 0: no limit.
+  /// `frame` may be null.
   Change change(const ChosenCut& cut, const PageCache& cache, const SurfaceFrame* frame,
-                uint64_t vertices_in_flight_max);
+                uint64_t vertices_in_flight_max, uint64_t server_vertices_max = 0);
 
   /// Shows colours from the next change() on, or no more.
   void show_colours(bool shows) { shows_colours_ = shows; }
@@ -41,7 +42,7 @@ class ShownSet {
   void add(const ChosenCut& cut, const PageCache& cache, const SurfaceFrame* frame,
            uint64_t vertices_in_flight_max, Change& change);
   void add_colours(const ChosenCut& cut, const PageCache& cache, Change& change);
-  void remove(const ChosenCut& cut, Change& change);
+  void remove(const ChosenCut& cut, uint64_t server_vertices_max, Change& change);
 
   bool shows_colours_ = false;
   std::unordered_map<PageId, uint32_t> shown_;  // vertices by page

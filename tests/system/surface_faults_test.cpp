@@ -72,6 +72,11 @@ class SurfaceFaults : public testing::Test {
   bool is_full() {
     return document().is_settled() && document().is_picture_settled() && status().is_full_detail;
   }
+  std::string messages() const {
+    std::string text = status_text(workspace_.document()->surface().status());
+    for (const Message& message : workspace_.log.messages()) text += "\n" + message.text;
+    return text;
+  }
   size_t times_lost() const { return count_of("connection lost"); }
   size_t count_of(const std::string& text) const {
     size_t count = 0;
@@ -93,7 +98,7 @@ TEST_F(SurfaceFaults, AServerWithoutMemoryForAllPagesIsAskedForFewer) {
   ASSERT_TRUE(shows_surface_until([this] {
     return times_lost() > 0 && document().is_settled() && document().is_picture_settled() &&
            status().reason == CutReason::kServer;
-  })) << status_text(status());
+  })) << messages();
   EXPECT_THAT(status_text(status()), HasSubstr("the server has no memory for more"));
   EXPECT_LE(times_lost(), 6u) << "it must not ask for the same again and again";
 }

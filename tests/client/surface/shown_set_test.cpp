@@ -101,5 +101,13 @@ TEST_F(ShownSetTest, AFewUnneededPagesStayAndManyGo) {
   EXPECT_EQ(shown_.page_count(), 1u);
 }
 
+TEST_F(ShownSetTest, NoUnneededPageStaysWhereAServerRefusedSoMany) {
+  shown_.change(cut_of({0, 1, 2, root()}), cache_, nullptr, 0);
+  const uint64_t all = shown_.vertex_count();
+  EXPECT_THAT(shown_.change(cut_of({root()}), cache_, nullptr, 0, all).removed, IsEmpty());
+  EXPECT_EQ(shown_.change(cut_of({root()}), cache_, nullptr, 0, all / 2).removed.size(), 3u);
+  EXPECT_EQ(shown_.vertex_count(), vertices(root()));
+}
+
 }  // namespace
 }  // namespace burnish
