@@ -1,5 +1,6 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
+import type { Locator } from "playwright-core";
 import { Bench, type Visit } from "./harness";
 import { session, snapshot } from "./sample";
 
@@ -20,6 +21,33 @@ test("FilterPreviewsWhileTheSliderMovesAndCommitsAtItsEnd", () =>
     await visit.page.getByRole("textbox", { name: "Gradient scale β as a number" }).fill("2.5");
     await visit.page.keyboard.press("Enter");
     await visit.sent("beta 2.5");
+  }));
+
+/** Types and presses a key within one turn of the page's thread, as a slow machine gives it both. */
+const typeAtOnce = (field: Locator, text: string, key: string) =>
+  field.evaluate(
+    (input: HTMLInputElement, [text, key]) => {
+      input.focus();
+      input.value = text!;
+      input.dispatchEvent(new InputEvent("input", { bubbles: true }));
+      input.dispatchEvent(new KeyboardEvent("keydown", { key: key!, bubbles: true }));
+      input.blur();
+    },
+    [text, key],
+  );
+
+test("NumberTypedWithinOneTurnIsTakenOnce", () =>
+  bench.visitSession(async (visit) => {
+    const field = visit.page.getByRole("textbox", { name: "Gradient scale β as a number" });
+    await typeAtOnce(field, "2.5", "Enter");
+    await visit.sent("beta 2.5");
+    await typeAtOnce(field, "3.5", "Escape");
+    await typeAtOnce(field, "4.5", "Enter");
+    await visit.sent("beta 4.5");
+    assert.deepEqual(
+      (await visit.lines()).filter((line) => line.startsWith("beta ")),
+      ["beta 2.5", "beta 4.5"],
+    );
   }));
 
 test("NumberBeyondTheLimitBecomesTheLimitWithAMessage", () =>

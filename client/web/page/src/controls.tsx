@@ -131,9 +131,9 @@ export function NameField(props: {
   mayBeEmpty?: boolean;
 }) {
   const [text, setText] = useState(props.start ?? "");
-  const disabled = props.disabled || (!props.mayBeEmpty && text.trim() === "");
-  const take = () => {
-    if (disabled) return;
+  const isRefused = (text: string) => props.disabled || (!props.mayBeEmpty && text.trim() === "");
+  const take = (text: string) => {
+    if (isRefused(text)) return;
     props.onTake(text.trim());
     setText("");
   };
@@ -148,10 +148,11 @@ export function NameField(props: {
         disabled={props.disabled}
         onInput={(event) => setText(event.currentTarget.value)}
         onKeyDown={(event) => {
-          if (event.key === "Enter" && !event.isComposing) take();
+          // The field's own text: a quick Enter comes before the next render.
+          if (event.key === "Enter" && !event.isComposing) take(event.currentTarget.value);
         }}
       />
-      <Button label={props.button} hint={props.hint} disabled={disabled} onClick={take} />
+      <Button label={props.button} hint={props.hint} disabled={isRefused(text)} onClick={() => take(text)} />
     </div>
   );
 }

@@ -93,12 +93,18 @@ export function Slider({ name, value, scale, format, onMove, onDone, disabled, t
 function NumberField({ name, value, scale, format, onDone, disabled }: Omit<SliderProps, "onMove">) {
   const link = useLink();
   const [typed, setTyped] = useState<string | null>(null);
-  const take = () => {
+  // The field's own text counts: a quick key comes before the next render has what was typed.
+  const forget = (field: HTMLInputElement) => {
+    field.value = format(value);
     setTyped(null);
-    if (typed === null || typed === format(value)) return;
-    const read = Number(typed.replace(",", "."));
-    if (typed.trim() === "" || !Number.isFinite(read))
-      return link.refuse(`${name}: '${typed}' is not a number`);
+  };
+  const take = (field: HTMLInputElement) => {
+    const text = field.value;
+    forget(field);
+    if (text === format(value)) return;
+    const read = Number(text.replace(",", "."));
+    if (text.trim() === "" || !Number.isFinite(read))
+      return link.refuse(`${name}: '${text}' is not a number`);
     const taken = Math.min(scale.high, Math.max(scale.low, read));
     if (taken !== read)
       link.refuse(
@@ -116,10 +122,10 @@ function NumberField({ name, value, scale, format, onDone, disabled }: Omit<Slid
       disabled={disabled}
       onFocus={(event) => event.currentTarget.select()}
       onInput={(event) => setTyped(event.currentTarget.value)}
-      onBlur={take}
+      onBlur={(event) => take(event.currentTarget)}
       onKeyDown={(event) => {
-        if (event.key === "Enter") take();
-        if (event.key === "Escape") setTyped(null);
+        if (event.key === "Enter") take(event.currentTarget);
+        if (event.key === "Escape") forget(event.currentTarget);
       }}
     />
   );
