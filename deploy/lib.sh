@@ -10,13 +10,17 @@ fail() {
   exit 1
 }
 
-# configure_and_build PRESET [TARGET...]: builds the tree in build/PRESET; without targets, all of
-# it.
+# configure_and_build PRESET [-DOPTION=VALUE]... [TARGET...]: builds the tree in build/PRESET; without
+# targets, all of it.
 configure_and_build() {
-  local preset=$1
+  local preset=$1 options=()
   shift
+  while [[ ${1-} == -D* ]]; do
+    options+=("$1")
+    shift
+  done
   say "configuring build/$preset"
-  (cd "$repo_root" && cmake --preset "$preset")
+  (cd "$repo_root" && cmake --preset "$preset" "${options[@]}")
   say "building build/$preset"
   cmake --build "$repo_root/build/$preset" ${1:+--target "$@"}
 }
