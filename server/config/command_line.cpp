@@ -20,6 +20,7 @@ struct Flags {
   std::optional<int64_t> threads, idle_exit;
   bool insecure = false;
   bool socket_user_only = false;
+  bool ends_with_input = false;
   JournalCopyWish copy;
 };
 
@@ -58,6 +59,8 @@ void add_flags(CLI::App& app, Flags& flags) {
   app.add_option("--idle-exit", flags.idle_exit,
                  "End after this many seconds without a connection; 0, the default: never")
       ->type_name("SECONDS");
+  app.add_flag("--end-with-input", flags.ends_with_input,
+               "End when standard input ends: with the program that holds its other end");
   app.add_option("--fleet-name", flags.fleet_name,
                  "Name of this server among those that share the journal");
   app.add_option("--advertise", flags.advertise, "Where clients of the fleet reach this server")
@@ -107,6 +110,7 @@ Result<CommandLine> read(const Flags& flags) {
   config.socket_user_only |= flags.socket_user_only;
   RETURN_IF_ERROR(validate(config));
   line.port_file = flags.port_file;
+  line.ends_with_input = flags.ends_with_input;
   return line;
 }
 

@@ -17,6 +17,7 @@ struct JournalCopyWish {
 struct CommandLine {
   ServerConfig config;
   std::filesystem::path port_file;      ///< empty for none
+  bool ends_with_input = false;         ///< the server ends when its standard input does
   std::optional<JournalCopyWish> copy;  ///< then nothing is served
 };
 

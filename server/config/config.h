@@ -63,7 +63,7 @@ struct ServerConfig {
   int64_t request_bytes_per_user = int64_t{64} << 20;  ///< of waiting and running requests
   int64_t connections_max = 256;
   int64_t connections_per_peer = 64;       ///< of one address
-  int64_t silent_connection_seconds = 30;  ///< until one of its calls is admitted
+  int64_t silent_connection_seconds = 30;  ///< until a call is admitted: not health
   int64_t silent_upload_seconds = 30;      ///< between two parts of a file
   int64_t upload_bytes_max = int64_t{8} << 30;
   int64_t upload_bytes_per_user = int64_t{16} << 30;  ///< uploads that are not finished

@@ -23,16 +23,25 @@ std::string text_of(const toml::node& node) {
   return text.str();
 }
 
+/// Returns a path of the file; the folder is the file's. A URL stays as it is.
+std::filesystem::path path_from(const std::filesystem::path& folder, const std::string& text) {
+  const bool is_url = text.find("://") != std::string::npos;
+  return text.empty() || is_url ? std::filesystem::path(text) : folder / text;
+}
+
 /// Stores a node's value in the member of a configuration if it has the member's type.
 struct Store {
   const toml::node& node;
+  const std::filesystem::path& folder;  // of the file
   ServerConfig& config;
 
   bool operator()(int64_t ServerConfig::*member) const { return set<int64_t>(member); }
   bool operator()(bool ServerConfig::*member) const { return set<bool>(member); }
   bool operator()(std::string ServerConfig::*member) const { return set<std::string>(member); }
   bool operator()(std::filesystem::path ServerConfig::*member) const {
-    return set<std::string>(member);
+    const auto text = node.value_exact<std::string>();
+    if (text) config.*member = path_from(folder, *text);
+    return text.has_value();
   }
   bool operator()(BackendKind ServerConfig::*member) const {
     const auto kind = parse_backend(node.value_exact<std::string>().value_or(""));
@@ -69,8 +78,9 @@ std::string expected(const ConfigKey& key) {
   return "a string";
 }
 
-Status read_value(const ConfigKey& key, const toml::node& node, ServerConfig& config) {
-  if (!std::visit(Store{node, config}, key.member))
+Status read_value(const ConfigKey& key, const toml::node& node, const std::filesystem::path& folder,
+                  ServerConfig& config) {
+  if (!std::visit(Store{node, folder, config}, key.member))
     return invalid_argument(key.name + " = " + text_of(node) + " is not " + expected(key));
   return check_limits(key, config);
 }
@@ -83,10 +93,11 @@ bool is_table_of_keys(const std::string& name) {
 
 Status read_table(const toml::table& table, const std::string& prefix, const std::string& name,
                   ServerConfig& config) {
+  const std::filesystem::path folder = std::filesystem::path(name).parent_path();
   for (const auto& [key, node] : table) {
     const std::string full = prefix + std::string(key.str());
     if (const ConfigKey* known = find_config_key(full)) {
-      const Status status = read_value(*known, node, config);
+      const Status status = read_value(*known, node, folder, config);
       if (!status.is_ok()) return invalid_argument(place(name, node) + status.message());
     } else if (node.is_table() && is_table_of_keys(full)) {
       RETURN_IF_ERROR(read_table(*node.as_table(), full + ".", name, config));

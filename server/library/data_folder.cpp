@@ -64,6 +64,29 @@ DataFolder::~DataFolder() {
   ::close(lock_);
 }
 
+uint64_t DataFolder::free_bytes() const {
+  std::error_code error;
+  const fs::space_info space = fs::space(path_, error);
+  return error ? 0 : space.available;
+}
+
+void DataFolder::keep_spare() const {
+  static constexpr off_t kSpareBytes = 1 << 20;
+  static constexpr uint64_t kPlentyBytes = 64 << 20;
+  const fs::path spare = path_ / "spare";
+  std::error_code error;
+  if (fs::exists(spare, error) || free_bytes() < kPlentyBytes) return;
+  const int file = ::open(spare.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+  if (file < 0) return;
+  if (::posix_fallocate(file, 0, kSpareBytes) != 0) fs::remove(spare, error);
+  ::close(file);
+}
+
+bool DataFolder::give_spare() const {
+  std::error_code error;
+  return fs::remove(path_ / "spare", error);
+}
+
 fs::path DataFolder::staging_path(const std::string& suffix) const {
   return path_ / "staging" / (random_name() + suffix);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -16,6 +17,7 @@ namespace burnish {
 ///     scans/ID/        original.EXT, info.json, prepared/, pages-formatN.pages; shared if the scan
 ///                      is in the catalogue of a fleet
 ///     staging/         unfinished files; emptied at start
+///     spare            room for a start on a full disk
 class DataFolder {
  public:
   /// Makes a missing folder, for its owner alone, takes the lock and empties staging/. Fails:
@@ -25,8 +27,20 @@ class DataFolder {
 
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path scans() const { return path_ / "scans"; }
-  std::filesystem::path journal() const { return path_ / "journal.sqlite"; }
+  std::filesystem::path journal() const { return journal_in(path_); }
+  static std::filesystem::path journal_in(const std::filesystem::path& folder) {
+    return folder / "journal.sqlite";
+  }
   std::filesystem::path paint() const { return path_ / "paint.sqlite"; }
+
+  /// Returns how many bytes of its disk are free for this user; 0 if nobody knows.
+  uint64_t free_bytes() const;
+
+  /// Keeps a little of the disk while there is plenty. Without it a server could not start on a
+  /// full disk, and nobody could delete scans.
+  void keep_spare() const;
+  /// Gives that back to the disk. Returns whether there was any.
+  bool give_spare() const;
 
   /// Returns an unused path in staging/ that ends with `suffix`.
   std::filesystem::path staging_path(const std::string& suffix) const;

@@ -74,6 +74,10 @@ Status watch_over(Server& server, const DeviceWatch& device, const sigset_t& sig
             options);
       return Status::ok();
     }
+    if (options.is_abandoned && options.is_abandoned()) {
+      drain(server, "the input has ended", signals, options);
+      return Status::ok();
+    }
     options.tend(signal == SIGHUP);
     count_cut_off_calls(server);
     log_left_out_lines();

@@ -6,7 +6,7 @@
 
 namespace burnish {
 
-std::vector<Gauge> read_gauges(const Server& server, MeshStore& store,
+std::vector<Gauge> read_gauges(const Server& server, const DataFolder& folder, MeshStore& store,
                                const SessionManager& sessions, const LiveSessions& live,
                                const Reloaded<Certificates>* certificates,
                                const Membership* membership) {
@@ -34,6 +34,8 @@ std::vector<Gauge> read_gauges(const Server& server, MeshStore& store,
       {"burnish_memory_max_bytes", "limits.memory_bytes_max", number(store.memory().max())},
       {"burnish_device_memory_bytes", "Bytes of GPU memory that meshes and sessions use",
        number(cuda_memory_used())},
+      {"burnish_disk_free_bytes", "Free bytes of the data folder's disk",
+       number(folder.free_bytes())},
       {"burnish_resident_bytes", "Resident memory of the process", number(resident_bytes())},
   };
   if (membership)

@@ -11,9 +11,10 @@
 
 namespace burnish {
 
-/// Reads the server's present figures: calls, sessions, bytes, live objects, the certificate's end.
+/// Reads the server's present figures: calls, sessions, bytes, the disk, live objects, the
+/// certificate's end.
 /// `certificates` and `membership` may be null.
-std::vector<Gauge> read_gauges(const Server& server, MeshStore& store,
+std::vector<Gauge> read_gauges(const Server& server, const DataFolder& folder, MeshStore& store,
                                const SessionManager& sessions, const LiveSessions& live,
                                const Reloaded<Certificates>* certificates,
                                const Membership* membership);

@@ -1,5 +1,6 @@
 #include "server/main/journals.h"
 
+#include <filesystem>
 #include <iostream>
 #include <optional>
 
@@ -23,10 +24,20 @@ static Status warn_of_losses(const PgAddress& address, const ServerConfig& confi
   return Status::ok();
 }
 
+/// Opens the journal in a data folder, even if its disk is full.
+static Result<std::unique_ptr<Journal>> open_journal_in(const DataFolder& folder) {
+  auto journal = SqliteJournal::open(folder.journal());
+  if (journal.status().code() != StatusCode::kResourceExhausted || !folder.give_spare())
+    return journal;
+  spdlog::warn("the disk of {} is full: {}; the server starts with its spare room. Delete scans",
+               folder.path().string(), journal.status().message());
+  return SqliteJournal::open(folder.journal());
+}
+
 Result<OpenedJournal> open_journal_of(const ServerConfig& config, const DataFolder& folder) {
   OpenedJournal opened;
   if (config.journal.empty()) {
-    ASSIGN_OR_RETURN(opened.journal, SqliteJournal::open(folder.journal()));
+    ASSIGN_OR_RETURN(opened.journal, open_journal_in(folder));
     return opened;
   }
   ASSIGN_OR_RETURN(const PgAddress address, PgAddress::parse(config.journal));
@@ -96,6 +107,12 @@ struct LoneJournal {
   std::unique_ptr<Journal> journal;    ///< ends first
 };
 
+/// Needs: a folder of a server, if it is a folder.
+static Status check_source(const std::string& name) {
+  if (is_pg_uri(name) || std::filesystem::exists(DataFolder::journal_in(name))) return Status::ok();
+  return not_found(name + ": is neither a data folder with a journal nor the URI of a database");
+}
+
 static Result<LoneJournal> open_lone_journal(const std::string& name) {
   LoneJournal opened;
   if (is_pg_uri(name)) {
@@ -111,6 +128,7 @@ static Result<LoneJournal> open_lone_journal(const std::string& name) {
 }
 
 Status copy_journal_of(const std::string& from, const std::string& to) {
+  RETURN_IF_ERROR(check_source(from));
   ASSIGN_OR_RETURN(const LoneJournal source, open_lone_journal(from));
   ASSIGN_OR_RETURN(const LoneJournal target, open_lone_journal(to));
   ASSIGN_OR_RETURN(const JournalCopy copied, copy_journal(*source.journal, *target.journal));

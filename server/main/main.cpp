@@ -2,6 +2,7 @@
 #include <malloc.h>
 #include <optional>
 #include <thread>
+#include <unistd.h>
 
 #include <spdlog/spdlog.h>
 #include <sys/stat.h>
@@ -14,7 +15,9 @@
 #include "server/main/daemon.h"
 #include "server/main/gauges.h"
 #include "server/main/journals.h"
+#include "server/process/disk_watch.h"
 #include "server/process/hidden_folder.h"
+#include "server/process/input_end.h"
 #include "server/process/log_setup.h"
 #include "server/scheduling/lanes.h"
 #include "server/solver/cuda/cuda_backend.h"
@@ -140,9 +143,18 @@ DeviceWatch::Times watch_times(BackendKind backend) {
   return times;
 }
 
+void tend_disk(const DataFolder& folder, DiskWatch& watch) {
+  const uint64_t free = folder.free_bytes();
+  folder.keep_spare();
+  if (const auto level = watch.look(free))
+    spdlog::warn("the disk of {} has {} MiB free, less than {} MiB: delete scans, or make room",
+                 folder.path().string(), free >> 20, *level >> 20);
+}
+
 /// Serves until a signal or a long time without use ends it.
 Status serve(const CommandLine& line, const sigset_t& signals) {
   const ServerConfig& config = line.config;
+  ASSIGN_OR_RETURN(const std::string where_solved, say_where_solved(config.backend));
   ASSIGN_OR_RETURN(const TrustFiles files, open_trust_files(config));
   ASSIGN_OR_RETURN(const auto folder, DataFolder::open(config.data));
   if (config.device_memory_bytes_max > 0)
@@ -164,8 +176,8 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
                    Server::start(server_options(config, files), store, *sessions, live, lanes));
   const std::jthread fleet = follow_fleet(config, journal, *sessions, live);
   ASSIGN_OR_RETURN(const auto exporter, start_metrics(config.metrics_listen, [&] {
-                     return read_gauges(*server, store, *sessions, live, files.certificates.get(),
-                                        journal.membership.get());
+                     return read_gauges(*server, *folder, store, *sessions, live,
+                                        files.certificates.get(), journal.membership.get());
                    }));
   const DeviceWatch device([backend = config.backend] { return probe_device(backend); },
                            watch_times(config.backend));
@@ -173,14 +185,17 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
   RETURN_IF_ERROR(write_port_file(line.port_file, server->port()));
   if (!server->web_address().empty()) std::cout << "web on " << server->web_address() << std::endl;
   std::cout << "listening on " << server->address() << std::endl;
-  spdlog::info("sessions are solved on {}", say_where_solved(config.backend));
+  spdlog::info("sessions are solved on {}", where_solved);
   spdlog::info("data in {}: {} scans, {} sessions", config.data.string(), store.list().size(),
                sessions->list().size());
+  DiskWatch disk;
   DaemonOptions options;
   options.drain_time = std::chrono::seconds(config.drain_seconds);
   options.idle_max = std::chrono::seconds(config.idle_exit_seconds);
+  if (line.ends_with_input) options.is_abandoned = [] { return has_ended(STDIN_FILENO); };
   options.tend = [&](bool in_any_case) {
     (void)sessions->check_hold();
+    tend_disk(*folder, disk);
     live.end_unwelcome();
     if (config.idle_spill_seconds > 0)
       sessions->spill_idle(std::chrono::seconds(config.idle_spill_seconds));

@@ -20,12 +20,13 @@ uint64_t device_bytes_max(BackendKind backend, int devices) {
   return static_cast<uint64_t>(sharing) * cuda_memory_max();
 }
 
-std::string say_where_solved(BackendKind backend) {
-  if (backend == BackendKind::kCpu) return "the processors (requested)";
+Result<std::string> say_where_solved(BackendKind backend) {
+  if (backend == BackendKind::kCpu) return std::string("the processors (requested)");
   const Result<std::string> device = cuda_device();
   if (device.is_ok()) return "CUDA (" + *device + ")";
-  return (backend == BackendKind::kAuto ? "the processors (" : "nothing (") +
-         device.status().message() + ")";
+  if (backend == BackendKind::kCuda)
+    return failed_precondition("backend cuda: " + device.status().message());
+  return "the processors (" + device.status().message() + ")";
 }
 
 Status probe_device(BackendKind backend) {

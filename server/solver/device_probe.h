@@ -22,7 +22,8 @@ bool has_device(BackendKind backend);
 uint64_t device_bytes_max(BackendKind backend, int devices);
 
 /// Says where sessions of this backend are solved, and why: "the processors (no CUDA device: this
-/// machine has none)".
-std::string say_where_solved(BackendKind backend);
+/// machine has none)". Fails: failed_precondition where kCuda insists on a device that is not
+/// there.
+Result<std::string> say_where_solved(BackendKind backend);
 
 }  // namespace burnish

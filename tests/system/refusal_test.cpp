@@ -34,6 +34,17 @@ TEST(Refusal, ASecondServerOnOnePortIsRefused) {
   EXPECT_THAT(second.output(), HasSubstr("cannot listen on " + server.address));
 }
 
+TEST(Refusal, ACopyOfAJournalThatIsNotThereLeavesNothing) {
+  const TemporaryFolder folder;
+  const auto from = folder / "mistyped", to = folder / "target";
+  Process copy({BURNISH_SERVER_BINARY, "journal", "copy", from.string(), to.string()},
+               folder / "log");
+  EXPECT_EQ(copy.wait(kPatience), 1);
+  EXPECT_THAT(copy.output(), HasSubstr(from.string() + ": is neither a data folder"));
+  EXPECT_FALSE(std::filesystem::exists(from));
+  EXPECT_FALSE(std::filesystem::exists(to));
+}
+
 TEST(Refusal, AFullDiskFailsTheImportAndTheServerLivesOn) {
   ServerProcess server;
   server.kill();

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import collections
 import dataclasses
 import json
 import os
 import pathlib
+import signal
 import subprocess
 import tempfile
 import threading
@@ -100,11 +102,26 @@ def filter_all(sources: Sequence[PathLike], folder: PathLike, *,
                **options: Any) -> list[Filtered]:
     """Edits files, and writes each under its name into `folder`, which is made.
 
-    A file that fails does not end the work: its entry has the error. `options` are the fields of
-    Options. Raises InvalidArgument for two files of one name, or a wrong option.
+    A file that fails does not end the work: its entry has the error. Each file has a process of its
+    own, so one that ends for want of memory is one such entry. `options` are the fields of Options.
+    Raises InvalidArgument for two files of one name, or a wrong option.
     """
+    names = collections.Counter(pathlib.Path(source).name for source in sources)
+    if twice := [name for name, count in names.items() if count > 1]:
+        raise InvalidArgument(f"{names[twice[0]]} files have the name '{twice[0]}', 1 at most")
     words = [f"--out-dir={os.fspath(folder)}", *([] if overwrite else ["--no-clobber"])]
-    return _run(sources, words, Options(**options), progress)
+    done: list[Filtered] = []
+    for source in sources:
+        try:
+            done += _run([source], words, Options(**options), progress)
+        except _Ended as error:
+            target = pathlib.Path(folder) / pathlib.Path(source).name
+            done.append(Filtered(pathlib.Path(source), target, "failed", error, {}))
+    return done
+
+
+class _Ended(Error):
+    """The program has ended without an answer."""
 
 
 def filter_mesh(mesh: Mesh, *, progress: Progress | None = None, **options: Any) -> Mesh:
@@ -139,7 +156,17 @@ def _run(files: Sequence[PathLike], words: list[str], options: Options,
         process.stderr.close()
     if code == USAGE:
         raise InvalidArgument("".join(messages).strip())
+    if code < 0:
+        raise _Ended(f"burnish filter was ended by {_name_of(-code)}")
     return _outcomes(found[0], messages)
+
+
+def _name_of(number: int) -> str:
+    try:
+        name = f"signal {number} ({signal.Signals(number).name})"
+    except ValueError:
+        name = f"signal {number}"
+    return name + ", as a machine without memory does" if number == signal.SIGKILL else name
 
 
 def _take_line(line: str, progress: Progress | None, messages: list[str]) -> None:
@@ -154,7 +181,7 @@ def _outcomes(text: str, messages: list[str]) -> list[Filtered]:
     try:
         answer = json.loads(text)
     except ValueError:
-        raise Error("burnish filter: " + "".join(messages).strip()) from None
+        raise _Ended("burnish filter: " + "".join(messages).strip()) from None
     if "code" in answer:
         raise error_of(answer["code"], answer["message"])
     return [Filtered(pathlib.Path(one.pop("in")), pathlib.Path(one.pop("out")),

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import atexit
 import contextlib
+import functools
 import os
 import pathlib
 import subprocess
@@ -18,13 +20,13 @@ from .program import find_program
 START_SECONDS = 60.0
 TRY_SECONDS = 0.5
 STOP_SECONDS = 30.0
-IDLE_SECONDS = 3600
 
 
 @contextlib.contextmanager
 def serve(data: PathLike | None = None, *, user: str | None = None) -> Iterator[Connection]:
     """Starts `burnish-server` for this user alone, and connects with it; stops it at the end.
 
+    The server also ends with this program, whatever ends it.
     `data` is the folder that keeps scans and edits; without one they go with the server.
     Raises NotFound without the program; Error with the server's words if it does not start.
     """
@@ -34,13 +36,16 @@ def serve(data: PathLike | None = None, *, user: str | None = None) -> Iterator[
         with open(pathlib.Path(folder) / "log", "w+", encoding="utf-8") as log:
             process = subprocess.Popen(
                 [find_program("burnish-server"), "--listen", "", "--socket", os.fspath(socket),
-                 "--socket-user-only", "--data", os.fspath(kept), "--idle-exit",
-                 str(IDLE_SECONDS)], stdin=subprocess.DEVNULL, stdout=log, stderr=log)
+                 "--socket-user-only", "--data", os.fspath(kept), "--end-with-input"],
+                stdin=subprocess.PIPE, stdout=log, stderr=log)
+            stop = functools.partial(_stop, process)
+            atexit.register(stop)  # a caller may never leave the context
             try:
                 with _connect(f"unix:{socket}", user, process, log.name) as connection:
                     yield connection
             finally:
-                _stop(process)
+                atexit.unregister(stop)
+                stop()
 
 
 def _connect(address: str, user: str | None, process: subprocess.Popen[bytes],
@@ -59,6 +64,8 @@ def _connect(address: str, user: str | None, process: subprocess.Popen[bytes],
 
 def _stop(process: subprocess.Popen[bytes]) -> None:
     process.terminate()
+    if process.stdin:
+        process.stdin.close()
     try:
         process.wait(STOP_SECONDS)
     except subprocess.TimeoutExpired:

@@ -5,6 +5,7 @@ import pathlib
 import subprocess
 import tempfile
 import unittest
+import unittest.mock
 
 import numpy as np
 
@@ -78,6 +79,23 @@ class Filter(unittest.TestCase):
         self.assertIsInstance(bad.error, burnish.InvalidArgument)
         again, _ = burnish.filter_all(sources, self.folder / "out", overwrite=False, **QUICK)
         self.assertEqual(again.outcome, "skipped")
+
+    def test_a_program_that_is_killed_fails_its_own_file_alone(self):
+        program = self.folder / "program"
+        program.write_text(f'#!/bin/sh\ncase "$*" in *killed.ply*) kill -9 $$ ;; esac\n'
+                           f'exec "{os.environ["BURNISH_BINARY"]}" "$@"\n')
+        program.chmod(0o700)
+        killed = self.folder / "killed.ply"
+        killed.write_bytes(self.source.read_bytes())
+        with unittest.mock.patch.dict(os.environ, BURNISH_BINARY=os.fspath(program)):
+            bad, good = burnish.filter_all([killed, self.source], self.folder / "out", **QUICK)
+        self.assertEqual((bad.outcome, good.outcome), ("failed", "done"))
+        self.assertIn("signal 9 (SIGKILL)", str(bad.error))
+
+    def test_two_files_of_one_name_are_refused_before_the_work(self):
+        with self.assertRaisesRegex(burnish.InvalidArgument, "in.ply"):
+            burnish.filter_all([self.source, self.source], self.folder / "out")
+        self.assertFalse((self.folder / "out").exists())
 
 
 if __name__ == "__main__":

@@ -3,12 +3,25 @@
 import os
 import pathlib
 import struct
+import subprocess
+import sys
 import tempfile
+import time
 import unittest
 import zlib
 
 import burnish
 import scan
+
+
+PROGRAM = """
+import contextlib, os, pathlib, signal, burnish
+stack = contextlib.ExitStack()
+stack.enter_context(burnish.serve())
+children = pathlib.Path("/proc/self/task")
+print(*{{child for task in children.iterdir() for child in (task / "children").read_text().split()}}, flush=True)
+{end}
+"""
 
 
 def png(side, grey):
@@ -34,6 +47,19 @@ class Serving(unittest.TestCase):
             session.set_beta(0.5)
         with burnish.serve(self.folder / "data") as server:
             self.assertEqual(server.session("kept").state().beta, 0.5)
+
+    def test_a_server_of_ones_own_ends_with_its_program(self):
+        for end in ("os.kill(os.getpid(), signal.SIGKILL)", "kept = stack.pop_all()"):
+            program = subprocess.run(
+                [sys.executable, "-c", PROGRAM.format(end=end)], capture_output=True, text=True,
+                check=False, timeout=300)
+            server = int(program.stdout)
+            for _ in range(6000):  # the server is another process, and has the clock
+                if not pathlib.Path(f"/proc/{server}/exe").exists():
+                    break
+                time.sleep(0.05)
+            else:
+                self.fail(f"server {server} outlives its program, ended by {end}")
 
     def test_a_server_that_does_not_start_tells_why(self):
         (self.folder / "data").write_text("a file")

@@ -124,12 +124,32 @@ std::set<std::string> keys_in(std::istream& file) {
   return keys;
 }
 
+TEST(ConfigFile, PathsAreRelativeToItsFolder) {
+  ServerConfig config;
+  ASSERT_TRUE(read_config_text(R"(
+      data = "data"
+      users = "/etc/users.toml"
+      [tls]
+      certificate = "tls/server.pem"
+      [library]
+      shared = "s3://bucket/scans"
+      )",
+                               "/etc/burnish/server.toml", config)
+                  .is_ok());
+  EXPECT_EQ(config.data, "/etc/burnish/data");
+  EXPECT_EQ(config.users, "/etc/users.toml");
+  EXPECT_EQ(config.tls_certificate, "/etc/burnish/tls/server.pem");
+  EXPECT_EQ(config.library_shared, "s3://bucket/scans");
+  EXPECT_TRUE(config.tls_key.empty());
+}
+
 TEST(ConfigExample, IsAcceptedAndHasEveryKeyWithItsDefault) {
   const std::string path = SOURCE_ROOT "/deploy/server.example.toml";
   ServerConfig config;
   const Status status = read_config_file(path, config);
   ASSERT_TRUE(status.is_ok()) << status.message();
   EXPECT_TRUE(validate(config).is_ok());
+  config.data = config.data.lexically_relative(SOURCE_ROOT "/deploy");
   std::set<std::string> known;
   std::ifstream file(path);
   const ServerConfig defaults;

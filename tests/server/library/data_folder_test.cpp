@@ -35,6 +35,17 @@ TEST(DataFolder, TheLockGoesWithItsOwner) {
   EXPECT_TRUE(DataFolder::open(root / "data").is_ok());
 }
 
+TEST(DataFolder, GivesItsSpareRoomBackOnce) {
+  const TemporaryFolder root;
+  auto opened = DataFolder::open(root / "data");
+  const auto& folder = opened.value();
+  EXPECT_FALSE(folder->give_spare());
+  folder->keep_spare();
+  EXPECT_EQ(std::filesystem::file_size(root / "data/spare"), 1u << 20);
+  EXPECT_TRUE(folder->give_spare());
+  EXPECT_FALSE(std::filesystem::exists(root / "data/spare"));
+}
+
 TEST(DataFolder, OpeningEmptiesStaging) {
   const TemporaryFolder root;
   std::filesystem::create_directories(root / "data/staging");

@@ -98,6 +98,19 @@ TEST(Daemon, EndsByItselfOnceNobodyIsConnectedForAWhile) {
   EXPECT_EQ(rounds, 4);  // at 0, 30, 60 and 90 minutes
 }
 
+TEST(Daemon, EndsWithItsOwner) {
+  const sigset_t signals = block_signals();
+  TestServer test;
+  const DeviceWatch device([] { return Status::ok(); });
+  int rounds = 0;
+  DaemonOptions options;
+  options.tick = milliseconds(1);
+  options.tend = [&](bool) { ++rounds; };
+  options.is_abandoned = [&] { return rounds == 3; };
+  EXPECT_TRUE(watch_over(*test.server, device, signals, options).is_ok());
+  EXPECT_EQ(rounds, 3);
+}
+
 TEST(Server, IsInUseWhileSomebodyIsConnected) {
   TestServer test;
   const auto becomes = [&](bool in_use) {

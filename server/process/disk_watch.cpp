@@ -1,0 +1,20 @@
+#include "server/process/disk_watch.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace burnish {
+
+// A large scan takes gigabytes. Imports are refused below the last level.
+static constexpr std::array<uint64_t, 3> kLevels = {uint64_t{8} << 30, uint64_t{1} << 30,
+                                                    uint64_t{256} << 20};
+
+std::optional<uint64_t> DiskWatch::look(uint64_t free_bytes) {
+  const auto below = static_cast<size_t>(
+      std::ranges::count_if(kLevels, [&](uint64_t level) { return free_bytes < level; }));
+  const size_t before = std::exchange(passed_, below);
+  return below > before ? std::optional(kLevels[below - 1]) : std::nullopt;
+}
+
+}  // namespace burnish
