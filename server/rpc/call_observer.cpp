@@ -164,6 +164,7 @@ class CallObserver final : public grpc::experimental::Interceptor {
     metrics().count_call(record_);
     if (is_malformed_) metrics().count_refusal(Refusal::kMalformed);
     if (is_cut_off_) metrics().count_refusal(Refusal::kCutOff);
+    if (is_limited()) metrics().count_refusal(Refusal::kLimit);
     if (!spdlog::should_log(level()) || !may_log(LineKind::kEndedCall)) return;
     const LogContext context(request_id_);
     spdlog::log(level(), "{} from {}: {}{} after {:.1f} ms{}{}", method_, peer_, record_.code,
@@ -172,8 +173,12 @@ class CallObserver final : public grpc::experimental::Interceptor {
   }
 
   spdlog::level::level_enum level() const {
-    return status_->ok() ? spdlog::level::debug : spdlog::level::info;
+    if (status_->ok()) return spdlog::level::debug;
+    return is_limited() ? spdlog::level::warn : spdlog::level::info;
   }
+
+  /// Returns whether a limit, or a full disk, has refused the call.
+  bool is_limited() const { return status_->error_code() == grpc::StatusCode::RESOURCE_EXHAUSTED; }
 
   ServerRpcInfo& info_;
   const std::shared_ptr<CallCounts> counts_;
@@ -197,7 +202,7 @@ class CallObserver final : public grpc::experimental::Interceptor {
 }  // namespace
 
 grpc::experimental::Interceptor* CallObserverFactory::CreateServerInterceptor(ServerRpcInfo* info) {
-  on_call_(info->server_context()->peer());
+  if (!is_open_to_all(info->method())) on_call_(info->server_context()->peer());
   return new CallObserver(*info, counts_, door_secret_);
 }
 

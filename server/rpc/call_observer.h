@@ -24,7 +24,8 @@ struct CallCounts {
 /// gives a malformed message its proper status.
 class CallObserverFactory final : public grpc::experimental::ServerInterceptorFactoryInterface {
  public:
-  /// `on_call` gets the peer of each call, e.g. "ipv4:127.0.0.1:5000". Calls that have the web
+  /// `on_call` gets the peer of each call that is not open to all, e.g. "ipv4:127.0.0.1:5000".
+  /// Calls that have the web
   /// door's secret have the peer and the certificate that the door tells.
   CallObserverFactory(std::shared_ptr<CallCounts> counts, std::string door_secret,
                       std::function<void(const std::string& peer)> on_call)

@@ -46,7 +46,8 @@ class ConnectionAcceptor {
   /// Stops listening; existing connections stay. Idempotent.
   void stop();
 
-  /// Notes that a call of this peer was admitted, in gRPC's form: "ipv4:127.0.0.1:5000".
+  /// Notes that a call of this peer was admitted that is not open to all, in gRPC's form:
+  /// "ipv4:127.0.0.1:5000".
   void note_call(const std::string& peer);
 
  private:

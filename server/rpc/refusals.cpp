@@ -23,7 +23,9 @@ static Refusal reason_of(StatusCode code) {
 }
 
 void report_refusal(std::string_view method, std::string_view peer, const Status& why) {
-  metrics().count_refusal(reason_of(why.code()));
+  const Refusal reason = reason_of(why.code());
+  // The end of the call counts the others.
+  if (reason != Refusal::kLimit) metrics().count_refusal(reason);
   if (may_log(LineKind::kRefusedCall))
     spdlog::warn("refused {}{}{}: {}", method, peer.empty() ? "" : " from ", peer, why.to_string());
 }

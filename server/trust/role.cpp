@@ -69,4 +69,8 @@ std::optional<Role> least_role(std::string_view method) {
   return std::nullopt;
 }
 
+bool is_open_to_all(std::string_view method) {
+  return least_role(method) == Role::kAnyone;
+}
+
 }  // namespace burnish

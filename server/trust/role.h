@@ -25,4 +25,7 @@ Result<Role> parse_role(const std::string& text);
 /// nothing if the RPC is not listed: then nobody may call it.
 std::optional<Role> least_role(std::string_view method);
 
+/// Returns whether strangers may call an RPC. Such a call says nothing of who makes it.
+bool is_open_to_all(std::string_view method);
+
 }  // namespace burnish

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -22,6 +23,7 @@ struct DoorState {
   WebCalls calls;
   WebFiles files;
   WebConnections connections;
+  std::atomic<size_t> unfinished_bytes{0};  ///< of messages whose end has not come
 };
 
 /// The other end of a connection.

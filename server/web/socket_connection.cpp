@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <deque>
+#include <utility>
 
 #include <boost/asio/any_io_executor.hpp>
 #include <boost/asio/post.hpp>
@@ -10,6 +11,7 @@
 #include <boost/beast/websocket/ssl.hpp>
 #include <boost/beast/websocket/stream.hpp>
 
+#include "server/trust/role.h"
 #include "server/web/bridged_call.h"
 #include "server/web/door_state.h"
 #include "server/web/protocol/conversation.h"
@@ -73,6 +75,8 @@ class SocketConnection final : public WebConnection,
     });
   }
 
+  ~SocketConnection() override { hold_unfinished(0); }
+
  private:
   template <typename What>
   void on_strand(What what) {
@@ -118,15 +122,31 @@ class SocketConnection final : public WebConnection,
     if (error) return fail();
     // Messages of strangers cost no memory.
     if (!socket_.got_text() && !conversation_.takes_messages()) frame_.consume(frame_.size());
-    const size_t limit = socket_.got_text() ? kWebControlBytesMax : kWebMessageBytesMax;
-    if (socket_.is_message_done() || frame_.size() > limit) take_frame();
+    const size_t limit = socket_.got_text() ? kWebControlBytesMax : message_bytes_max_;
+    const bool is_whole = socket_.is_message_done() || frame_.size() > limit;
+    if (!hold_unfinished(is_whole ? 0 : frame_.size())) return obey(too_much_unfinished());
+    if (is_whole) take_frame();
     read();
+  }
+
+  /// Counts what this socket holds of a message whose end has not come. Returns false where all
+  /// sockets together would hold too much.
+  bool hold_unfinished(size_t bytes) {
+    const size_t before = std::exchange(unfinished_bytes_, bytes);
+    const size_t of_all = door_.unfinished_bytes += bytes - before;  // unsigned: wraps where less
+    return bytes <= before || of_all <= kWebUnfinishedBytesMax;
+  }
+
+  static CloseSocket too_much_unfinished() {
+    return {CloseCode::kTooBig, "all messages whose end has not come have more than " +
+                                    std::to_string(kWebUnfinishedBytesMax) + " bytes"};
   }
 
   void take_frame() {
     metrics().add(Count::kWebReceivedBytes, frame_.size());
-    const Order order = socket_.got_text() ? conversation_.hear_text(frame_text())
-                                           : conversation_.hear_message(frame_.size());
+    const Order order = socket_.got_text()
+                            ? conversation_.hear_text(frame_text())
+                            : conversation_.hear_message(frame_.size(), message_bytes_max_);
     std::visit([this](const auto& what) { obey(what); }, order);
     frame_.consume(frame_.size());
     if (frame_.capacity() > kKeptBufferBytes) frame_ = beast::flat_buffer();
@@ -142,7 +162,9 @@ class SocketConnection final : public WebConnection,
     const grpc::Status admitted =
         door_.calls.admit(order.call.method, {authorization, peer_.certificate}, peer_.name);
     if (!admitted.ok()) return end_call(admitted);
-    is_admitted_ = true;
+    const bool is_open = is_open_to_all(order.call.method);
+    message_bytes_max_ = is_open ? kWebOpenMessageBytesMax : kWebMessageBytesMax;
+    is_admitted_ |= !is_open;
     metrics().add(Count::kWebCalls, 1);
     call_ = std::make_shared<BridgedCall>(
         door_.calls, order.call.method,
@@ -318,13 +340,15 @@ class SocketConnection final : public WebConnection,
   std::shared_ptr<BridgedCall> call_;
   std::deque<Outgoing> outbox_;
   websocket::close_reason close_reason_;
+  size_t message_bytes_max_ = kWebMessageBytesMax;
+  size_t unfinished_bytes_ = 0;  // as the door counts them
   Clock::time_point opened_ = Clock::now(), heard_ = opened_;
   bool is_open_ = false;     // frames may go out
   bool is_reading_ = false;  // a read is under way
   bool is_passing_ = false;  // a message is on its way to the call
   bool is_writing_ = false;  // the first frame of the outbox goes out
   bool is_pinging_ = false;
-  bool is_admitted_ = false;  // a call was let in
+  bool is_admitted_ = false;  // a call was let in that is not open to all
   bool is_leaving_ = false;   // closes after the call
   bool is_closing_ = false;
 };

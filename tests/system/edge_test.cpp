@@ -273,6 +273,14 @@ TEST_F(ConnectionsTest, WithoutACallAreClosedAndTheOthersStay) {
   EXPECT_EQ(count(server.process->output(), "closed the connection of ipv4:127.0.0.1:"), 1u);
 }
 
+TEST_F(ConnectionsTest, ThatOnlyAskForHealthAreClosed) {
+  const ServerProcess server = start("silent_connection_seconds = 1");
+  const auto channel = wire_channel(server.address);
+  EXPECT_TRUE(call(channel, {"/grpc.health.v1.Health/Check", {""}}).status.ok());
+  EXPECT_TRUE(
+      server.process->wait_for_output("closed the connection of ipv4:127.0.0.1:", kPatience));
+}
+
 TEST_F(ConnectionsTest, AnUploadThatSendsNothingMoreIsEnded) {
   const ServerProcess server = start("silent_upload_seconds = 1");
   v1::ImportRequest import;

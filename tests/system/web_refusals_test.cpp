@@ -153,6 +153,29 @@ TEST_F(WebRefusals, AStrangersMessagesCostNoMemory) {
   EXPECT_LT(peak_bytes(server_), uint64_t{150} << 20);
 }
 
+TEST_F(WebRefusals, ACallThatIsOpenToAllHasShortMessages) {
+  WebClient stranger(address());
+  stranger.send_text(begin_of("/grpc.health.v1.Health/Check"));
+  ASSERT_TRUE(stranger.send_part(std::string(600, 'x')));  // the message has no end
+  EXPECT_EQ(read_to_end(stranger).status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_FALSE(stranger.read());
+  EXPECT_EQ(stranger.close_code(), 1009);
+}
+
+TEST_F(WebRefusals, UnfinishedMessagesOfAllSocketsHaveALimit) {
+  const std::string half(15 << 20, 'x');
+  std::vector<std::unique_ptr<WebClient>> editors;
+  for (int i = 0; i < 10; ++i) {
+    editors.push_back(std::make_unique<WebClient>(address()));
+    editors.back()->send_text(begin_of("/burnish.v1.Editing/Apply", "eddy-secret"));
+    editors.back()->send_part(half);  // the message has no end
+  }
+  EXPECT_TRUE(server_.process->wait_for_output("all messages whose end has not come", kPatience));
+  editors.clear();
+  WebClient next(address());
+  EXPECT_TRUE(call(next, {kListScansRpc, {""}, "eddy-secret"}).status.ok());
+}
+
 TEST_F(WebRefusals, AnotherUsersNameIsRefused) {
   WebClient client(address());
   client.send_text(

@@ -2,7 +2,6 @@
 
 #include "common/base/check.h"
 #include "common/base/text.h"
-#include "server/web/protocol/web_limits.h"
 
 namespace burnish {
 
@@ -18,10 +17,10 @@ Order Conversation::hear_text(std::string_view text) {
   return std::visit([this](const auto& read) { return obey(read); }, *frame);
 }
 
-Order Conversation::hear_message(size_t bytes) {
-  if (bytes > kWebMessageBytesMax)
+Order Conversation::hear_message(size_t bytes, size_t bytes_max) {
+  if (bytes > bytes_max)
     return CloseSocket{CloseCode::kTooBig,
-                       "a message has more than " + std::to_string(kWebMessageBytesMax) + " bytes"};
+                       "a message has more than " + std::to_string(bytes_max) + " bytes"};
   switch (state_) {
     case State::kFresh:
       return protocol_error("a message before the first call");

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "server/web/protocol/control_frame.h"
+#include "server/web/protocol/web_limits.h"
 
 namespace burnish {
 
@@ -37,8 +38,8 @@ class Conversation {
   /// Takes a text frame.
   Order hear_text(std::string_view text);
 
-  /// Takes a binary frame, or the begin of one that is too long.
-  Order hear_message(size_t bytes);
+  /// Takes a binary frame, or the begin of one that is too long: above `bytes_max`.
+  Order hear_message(size_t bytes, size_t bytes_max = kWebMessageBytesMax);
 
   /// Notes that the call has ended, or was refused. Needs: is_calling().
   void note_end();

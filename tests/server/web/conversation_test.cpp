@@ -89,6 +89,7 @@ TEST(Conversation, ACancelledCallDropsWhatComesUntilItsEnd) {
 TEST(Conversation, AMessageAboveTheLimitClosesTheSocketWithTheLimit) {
   Conversation talk;
   talk.hear_text(kCallText);
+  EXPECT_EQ(close_code(Conversation(talk).hear_message(513, 512)), CloseCode::kTooBig);
   const Order order = talk.hear_message(kWebMessageBytesMax + 1);
   EXPECT_EQ(close_code(order), CloseCode::kTooBig);
   EXPECT_THAT(std::get<CloseSocket>(order).reason, HasSubstr("16777216"));
