@@ -31,9 +31,10 @@ uint64_t Admission::pieces_max() const {
   return limit < taken ? 0 : (limit - taken) / sizeof(CellPiece);
 }
 
-Result<PieceCount> Admission::count_pieces(const GridMesh& mesh) {
+Result<PieceCount> Admission::count_pieces(const GridMesh& mesh, const Progress& progress) {
   const uint64_t limit = pieces_max();
-  auto count = count_cell_pieces(mesh, limit);
+  auto count = count_cell_pieces(mesh, limit, progress);
+  if (count.status().code() == StatusCode::kCancelled) return count;
   counts.pieces = count.is_ok() ? count->total() : limit + 1;
   if (count.is_ok()) RETURN_IF_ERROR(ask());
   return count;
@@ -54,7 +55,7 @@ static Status ask_for_depth(const ScanToPrepare& scan, int depth, PreparationBud
   Admission admission{budget, scan.space().memory_bytes_max(), scan.counts(depth)};
   const auto positions = snapped_positions(scan.mesh, scan.frame(depth), scan.space());
   const GridMesh mesh = {scan.surface().triangles, positions, depth};
-  ASSIGN_OR_RETURN(const PieceCount count, admission.count_pieces(mesh));
+  ASSIGN_OR_RETURN(const PieceCount count, admission.count_pieces(mesh, progress));
   ASSIGN_OR_RETURN(const auto pieces, find_cell_pieces(mesh, count, scan.room(), progress));
   admission.counts.cells = count_cells(pieces);
   return admission.ask();

@@ -49,8 +49,8 @@ struct Admission {
   /// Returns how many pieces may be counted before they are sure to exceed the budget.
   uint64_t pieces_max() const;
 
-  /// Counts the pieces, and asks the budget for them. Fails: resource_exhausted.
-  Result<PieceCount> count_pieces(const GridMesh& mesh);
+  /// Counts the pieces, and asks the budget for them. Fails: resource_exhausted, cancelled.
+  Result<PieceCount> count_pieces(const GridMesh& mesh, const Progress& progress);
 };
 
 /// Returns the positions in grid units. A vertex near a grid plane lies on it.

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <string>
 
+#include "common/base/loop_progress.h"
 #include "common/base/parallel.h"
 #include "common/grid/morton.h"
 #include "server/prepare/cut_triangles.h"
@@ -55,24 +56,30 @@ class BucketTally {
 
 }  // namespace
 
-Result<PieceCount> count_cell_pieces(const GridMesh& mesh, uint64_t pieces_max) {
+Result<PieceCount> count_cell_pieces(const GridMesh& mesh, uint64_t pieces_max,
+                                     const Progress& progress) {
   const int levels = std::min(mesh.depth, kBucketLevelsMax), levels_below = mesh.depth - levels;
   PieceCount count{3 * levels_below, std::vector<uint64_t>((size_t{1} << 3 * levels) + 1, 0)};
   std::atomic<uint64_t> total{0};
+  std::atomic<size_t> done{0};  // blocks
+  const auto blocks = static_cast<double>(block_count(mesh));
+  LoopProgress loop(progress, "grid", 0, kCountedPart);
   ParallelFailure failure;
 #pragma omp parallel for schedule(dynamic)
   for (size_t block = 0; block < block_count(mesh); ++block) {
-    if (total > pieces_max) continue;
+    if (total > pieces_max || loop.is_cancelled()) continue;
     failure.run([&] {
       BucketTally tally(count.start, levels_below);
       for_each_triangle_of_block(mesh, block, [&](const CutTriangle& triangle) {
         for (const CellColumn& column : triangle.columns) tally.add(column);
-        return tally.total() <= pieces_max;
+        return tally.total() <= pieces_max && loop.goes_on(static_cast<double>(done) / blocks);
       });
       total += tally.total();
     });
+    ++done;
   }
   failure.rethrow();
+  if (loop.is_cancelled()) return cancelled("cancelled while counting pieces");
   if (total > pieces_max)
     return resource_exhausted("cutting the scan at this depth gives more than " +
                               std::to_string(pieces_max) + " pieces");

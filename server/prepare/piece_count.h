@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/base/progress.h"
 #include "common/base/status.h"
 #include "server/prepare/grid_mesh.h"
 
@@ -17,10 +18,14 @@ struct PieceCount {
   uint64_t total() const { return start.back(); }
 };
 
+/// The part of the phase "grid" that counting is.
+inline constexpr double kCountedPart = 0.4;
+
 /// Counts the pieces. Triangles without area, except for rounding, are in no cell. Cost: less than
 /// a tenth of a preparation. It ends soon after `pieces_max`, because large triangles in a fine
-/// grid have too many cells to count. Fails: resource_exhausted above pieces_max.
-Result<PieceCount> count_cell_pieces(const GridMesh& mesh, uint64_t pieces_max);
+/// grid have too many cells to count. Fails: resource_exhausted above pieces_max; cancelled.
+Result<PieceCount> count_cell_pieces(const GridMesh& mesh, uint64_t pieces_max,
+                                     const Progress& progress);
 
 /// Bricks: consecutive buckets whose pieces are sorted together.
 struct Bricks {

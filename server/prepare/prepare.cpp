@@ -114,8 +114,9 @@ class Preparation {
   GridMesh grid_mesh() const { return {scan_.surface().triangles, positions_, frame_.depth}; }
 
   Status cut() {
-    ASSIGN_OR_RETURN(const PieceCount count, admission_.count_pieces(grid_mesh()));
-    if (!report(progress_, "grid", 0.4)) return cancelled("cancelled while cutting at the grid");
+    ASSIGN_OR_RETURN(const PieceCount count, admission_.count_pieces(grid_mesh(), progress_));
+    if (!report(progress_, "grid", kCountedPart))
+      return cancelled("cancelled while cutting at the grid");
     ASSIGN_OR_RETURN(pieces_, find_cell_pieces(grid_mesh(), count, scan_.room(), progress_));
     admission_.counts.cells = count_cells(pieces_);
     return admission_.ask();

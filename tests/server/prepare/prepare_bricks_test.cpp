@@ -52,7 +52,7 @@ TEST_P(PrepareInBricks, GivesTheBytesOfOneBrick) {
   const auto whole = prepared_with(mesh, kOneBrick, {});
   const std::vector<Vec3d> positions = positions_in_grid(mesh);
   const uint64_t pieces =
-      count_cell_pieces({mesh.triangles, positions, kBrickTestDepth}, UINT64_MAX)->total();
+      count_cell_pieces({mesh.triangles, positions, kBrickTestDepth}, UINT64_MAX, {})->total();
   for (const uint64_t per_brick : {pieces / 7, uint64_t{100}, uint64_t{1}})
     expect_same_file(*whole, *prepared_with(mesh, per_brick, {}));
 }
@@ -83,7 +83,7 @@ TEST(PieceCount, AddsUpToThePiecesThatAreFound) {
     SCOPED_TRACE(name);
     const std::vector<Vec3d> positions = positions_in_grid(mesh);
     const GridMesh in_grid = {mesh.triangles, positions, kBrickTestDepth};
-    const auto count = count_cell_pieces(in_grid, UINT64_MAX);
+    const auto count = count_cell_pieces(in_grid, UINT64_MAX, {});
     const auto pieces = find_cell_pieces(in_grid, *count, {{}, 10}, {});
     EXPECT_EQ(pieces->size(), count->total());
     EXPECT_TRUE(std::ranges::is_sorted(

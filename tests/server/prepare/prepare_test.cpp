@@ -185,9 +185,19 @@ TEST(Prepare, NamesTheCellInWhichAScanIsLostBesideAFarVertex) {
 TEST(Prepare, CountsNoMorePiecesThanItMay) {
   const std::vector<Vec3d> triangle = {{0.5, 0, 0}, {0.5, 4096, 0}, {0.5, 0, 4096}};
   const std::vector<Triangle> triangles(5'000'000, Triangle{0, 1, 2});
-  const auto pieces = count_cell_pieces({triangles, triangle, 12}, 100'000'000);
+  const auto pieces = count_cell_pieces({triangles, triangle, 12}, 100'000'000, {});
   EXPECT_EQ(pieces.status().code(), StatusCode::kResourceExhausted);
   EXPECT_THAT(pieces.status().message(), HasSubstr("more than 100000000 pieces"));
+}
+
+TEST(Prepare, HearsACancelBetweenTwoTrianglesThatItCounts) {
+  const std::vector<Vec3d> triangle = {{0.5, 0, 0}, {0.5, 4096, 0}, {0.5, 0, 4096}};
+  const std::vector<Triangle> triangles(5'000'000, Triangle{0, 1, 2});
+  int asked = 0;
+  const Progress cancel = [&](std::string_view, double) { return ++asked < 2; };
+  const auto pieces = count_cell_pieces({triangles, triangle, 12}, UINT64_MAX, cancel);
+  EXPECT_EQ(pieces.status().code(), StatusCode::kCancelled);
+  EXPECT_EQ(asked, 2);
 }
 
 }  // namespace
