@@ -200,6 +200,25 @@ TEST(Controls, AreEditsThatUndoTakesBackToThoseOfTheBirth) {
   EXPECT_EQ(session->edited().controls(), (Controls{.pin_rims = true}));
 }
 
+// Frames and pictures have places on a lattice of some thousandths of a cell.
+TEST(Controls, OnAFlatFreeSheetAVertexMovesAsThePlaceThatItIsRoundedTo) {
+  constexpr float kRounding = 1e-3F, kCells = 1 / 16.F;
+  const TriangleMesh sheet = make_sheet(54, 1, 0.1);
+  const auto prepared = *prepare(sheet, PrepareOptions{.depth = 5});
+  const Multigrid on = make_multigrid(prepared).value();
+  const auto session = Session::open(on, {.backend = BackendKind::kCpu}, {}).value();
+  exact_surface(*session, {SetGradientScale{0.3}});
+  const SparseGrid& grid = on.hierarchy->at(on.hierarchy->finest).grid;
+  const auto displacement = session->displacement();
+  float most = 0;
+  for (EvaluationPoint point : prepared->evaluation) {
+    const Vec3f here = evaluate(grid, point, displacement);
+    point.local[2] += point.local[2] < 0.5F ? kRounding : -kRounding;
+    most = std::max(most, (evaluate(grid, point, displacement) - here).norm());
+  }
+  EXPECT_LT(most, kCells);
+}
+
 TEST(Controls, TellOfRimsThoughNoneIsHeld) {
   const TriangleMesh soup = generate_scan({"soup", 3000, 1}).value();
   const auto session = controlled(soup, {.pin_rims = true});
