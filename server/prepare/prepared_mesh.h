@@ -126,6 +126,6 @@ struct PreparedSummary {
 Result<PreparedSummary> read_prepared_summary(const std::filesystem::path& path);
 
 /// Raise this when the format changes, or when numbers change by more than rounding.
-inline constexpr uint32_t kPreparedFormatVersion = 5;
+inline constexpr uint32_t kPreparedFormatVersion = 6;
 
 }  // namespace burnish
