@@ -22,15 +22,17 @@ std::shared_ptr<const PageMove> move_of(const FramedPage& framed, const PageTile
                                         const FrameTerms& terms) {
   auto move = std::make_shared<PageMove>();
   move->gain = tile.gain;
-  move->displacements.resize(framed.page->positions.size());
-  if (!framed.corners) {
-    tile.read_displacements(move->displacements);
-    return move;
+  std::vector<Vec3f>& of_vertices = move->displacements;
+  of_vertices.resize(framed.page->positions.size());
+  if (framed.corners) {
+    std::vector<Vec3f> of_corners(tile.shown.value_count());
+    tile.read_displacements(of_corners);
+    evaluate_page(*framed.corners, framed.page->positions, terms.bits, terms.depth, of_corners,
+                  of_vertices);
+  } else {
+    tile.read_displacements(of_vertices);
   }
-  std::vector<Vec3f> of_corners(tile.shown.value_count());
-  tile.read_displacements(of_corners);
-  evaluate_page(*framed.corners, framed.page->positions, terms.bits, terms.depth, of_corners,
-                move->displacements);
+  for_each_held(tile.held, [&](size_t vertex) { of_vertices[vertex].setZero(); });
   return move;
 }
 

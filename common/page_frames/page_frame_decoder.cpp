@@ -34,8 +34,10 @@ Status decode_body(const PageFrameHeader& header, std::span<const ShownPage> pag
   if (!bytes.is_ok()) return bytes.status().with_context("the body");
   ASSIGN_OR_RETURN(auto body, PageFrameBodyReader::open(pages, header.sent_pages, *bytes));
   for (size_t place = 0; place < pages.size(); ++place) {
-    if (body.has_gain(place)) state.tiles[place].gain = body.read_gain();
-    if (body.has_values(place)) decode_tile(header.step_shift, body, state.tiles[place]);
+    PageTile& tile = state.tiles[place];
+    if (body.has_gain(place)) tile.gain = body.read_gain();
+    if (body.has_held(place)) tile.held = body.read_held(tile.shown.layout->vertices);
+    if (body.has_values(place)) decode_tile(header.step_shift, body, tile);
   }
   return Status::ok();
 }
@@ -44,7 +46,8 @@ std::vector<PageId> changed_pages(const PageFrameState& before, const PageFrameS
   std::vector<PageId> changed;
   for (const PageTile& tile : after.tiles) {
     const PageTile* old = before.find(tile.shown.page);
-    if (old == nullptr || old->narrowed != tile.narrowed) changed.push_back(tile.shown.page);
+    if (old == nullptr || old->narrowed != tile.narrowed || old->held != tile.held)
+      changed.push_back(tile.shown.page);
   }
   return changed;
 }

@@ -20,7 +20,8 @@ struct DecodedPageFrame {
   bool is_key = false;
   int step_shift = 0;      ///< 0: the values are exactly the sampled displacement
   float largest_move = 0;  ///< of the whole surface, cells
-  /// Pages whose values differ from those of the frame decoded before, or that it did not have.
+  /// Pages whose values or held vertices differ from those of the frame decoded before, or that it
+  /// did not have.
   std::vector<PageId> changed_pages;
 };
 

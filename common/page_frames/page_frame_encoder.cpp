@@ -38,6 +38,10 @@ void encode_page_values(const WantedPage& wanted, int step_shift, size_t place, 
     tile.gain = wanted.gain;
     body.add_gain(place, wanted.gain);
   }
+  if (!is_same(tile.held, wanted.held)) {
+    tile.held = wanted.held;
+    body.add_held(place, wanted.held, tile.shown.layout->vertices);
+  }
 }
 
 void check_moment(const PageMoment& moment) {
@@ -47,6 +51,9 @@ void check_moment(const PageMoment& moment) {
     BURNISH_CHECK(moment.pages[i].steps.size() == size_t{3} * shown[i].value_count(),
                   "the values are of another page or kind");
     BURNISH_CHECK(moment.pages[i].gain <= kPageGainExponentMax, "the gain is too large");
+    BURNISH_CHECK(!moment.pages[i].held ||
+                      moment.pages[i].held->size() == held_bytes(shown[i].layout->vertices),
+                  "the held vertices are of another page");
   }
 }
 
@@ -110,6 +117,7 @@ EncodedPageFrame PageFrameEncoder::encode(const PageMoment& moment, const StepCh
                          .reference = header.reference,
                          .sent_pages = header.sent_pages,
                          .sent_gains = made.body.sent_gains(),
+                         .sent_held = made.body.sent_held(),
                          .step_shift = made.step_shift,
                          .bytes = {}};
   frame.bytes.resize(kPageFrameHeaderBytes);

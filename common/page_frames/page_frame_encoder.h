@@ -14,6 +14,7 @@ namespace burnish {
 struct WantedPage {
   std::span<const int32_t> steps;  ///< a PageSample's: all x, then all y, then all z, in 1/256 cell
   uint8_t gain = 0;                ///< 2^gain is at least the largest beta in the page's cells
+  HeldVertices held = {};          ///< needs a client that knows of them
 };
 
 /// What a client should show.
@@ -46,6 +47,7 @@ struct EncodedPageFrame {
   uint64_t reference = 0;   ///< 0: a key frame
   uint32_t sent_pages = 0;  ///< 0: the reference already has all these values
   uint32_t sent_gains = 0;  ///< 0: the reference already has all these gains
+  uint32_t sent_held = 0;   ///< 0: the reference already holds these vertices
   int step_shift = 0;
   std::vector<uint8_t> bytes;
 };

@@ -56,12 +56,14 @@ namespace burnish {
 // A frame names its reference by number and checksum, so that a frame of another stream with the
 // same number never passes for it.
 //
-// Body, one zstd frame. Uncompressed it is seven streams, one after the other. Pages are in the
+// Body, one zstd frame. Uncompressed it is eight streams, one after the other. Pages are in the
 // order of their numbers; a page has x, then y, then z; an axis has groups of 16 (the last is
 // filled up with zeros):
 //
-//     flags    one byte per shown page: 1 if it is sent, +2 if its gain is
+//     flags    one byte per shown page: 1 if it is sent, +2 if its gain is, +4 if its held vertices
+//              are
 //     gains    one byte per page that says so: e
+//     held     one bit per vertex of each page that says so, lowest first, filled up to bytes
 //     widths   4 bits per group, low half first; a byte is not shared by two axes
 //     packed   groups of 1, 2 and 4 bits a value, value 0 in the lowest bits
 //     byte 0   groups of 8, 16 and 32 bits: the low byte of each value
@@ -80,6 +82,10 @@ namespace burnish {
 // The gain of a page is 2^e, and no cell of the page has a larger beta. Like a value it lasts from
 // the reference on; e is 0 in pages that the reference did not show. A client coarsens a page less
 // where the gain is high: sharpening magnifies what simplification has removed.
+//
+// A held vertex is not displaced, whatever the values are. Held vertices last likewise; none is
+// held in pages that the reference did not show. A server names them in frames of corners only, and
+// only to a client whose greeting says that it knows them.
 
 inline constexpr uint8_t kPageFrameFormatVersion = 2;
 inline constexpr size_t kPageFrameHeaderBytes = 56;

@@ -32,8 +32,10 @@ const PageTile* PageFrameState::find(PageId page) const {
 
 uint64_t PageFrameState::byte_count() const {
   uint64_t bytes = tiles.size() * sizeof(tiles[0]);
-  for (const PageTile& tile : tiles)
+  for (const PageTile& tile : tiles) {
     if (tile.narrowed) bytes += tile.narrowed->byte_count();
+    if (tile.held) bytes += tile.held->capacity();
+  }
   return bytes;
 }
 
@@ -60,7 +62,7 @@ uint64_t page_state_bytes_max(std::span<const ShownPage> pages) {
   uint64_t bytes = 0;
   for (const ShownPage& page : pages)
     bytes += sizeof(PageTile) + sizeof(NarrowValues) +
-             uint64_t{3} * page.value_count() * sizeof(int16_t);
+             uint64_t{3} * page.value_count() * sizeof(int16_t) + held_bytes(page.layout->vertices);
   return bytes;
 }
 

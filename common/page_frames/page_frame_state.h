@@ -7,6 +7,7 @@
 
 #include "common/base/types.h"
 #include "common/packing/narrow_values.h"
+#include "common/page_frames/held_vertices.h"
 #include "common/page_frames/shown_pages.h"
 
 namespace burnish {
@@ -16,6 +17,7 @@ struct PageTile {
   ShownPage shown;
   uint8_t gain = 0;                              ///< exponent of two
   std::shared_ptr<const NarrowValues> narrowed;  ///< null: all zero
+  HeldVertices held;
 
   size_t value_count() const { return size_t{3} * shown.value_count(); }
   /// Copies the values out, in 1/256 cell: all x, then all y, then all z.

@@ -30,6 +30,7 @@ Groups<uint16_t> earlier_neighbours(const Page& page) {
 PageLayout make_vertex_page_layout(const Page& page) {
   const Groups<uint16_t> earlier = earlier_neighbours(page);
   PageLayout layout;
+  layout.vertices = static_cast<uint32_t>(page.positions.size());
   std::vector<uint16_t> predictors;
   for (size_t vertex = 0; vertex < page.positions.size(); ++vertex) {
     predictors.assign(earlier[vertex].begin(), earlier[vertex].end());
@@ -40,6 +41,7 @@ PageLayout make_vertex_page_layout(const Page& page) {
 
 PageLayout make_corner_page_layout(const PageCorners& corners) {
   PageLayout layout;
+  layout.vertices = static_cast<uint32_t>(corners.of_vertex.size());
   std::vector<uint16_t> predictors;
   for (const MortonKey place : corners.places) {
     predictors.clear();

@@ -13,6 +13,7 @@ namespace burnish {
 struct PageLayout {
   /// Per value the earlier values whose mean predicts it, each once. Empty for the first value.
   Groups<uint16_t, uint16_t> predictors;
+  uint32_t vertices = 0;  ///< of the page, whatever its values are
 
   uint32_t value_count() const { return static_cast<uint32_t>(predictors.count()); }
   uint64_t byte_count() const { return predictors.byte_count(); }

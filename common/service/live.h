@@ -24,6 +24,7 @@ namespace burnish {
 struct Greeting {
   std::string session;                ///< name or id
   std::optional<PageFrameKind> kind;  ///< of all frames; nothing: the server chooses
+  bool knows_held = true;             ///< the client knows held vertices of frames
 };
 
 /// From the server, while it brings the session back into its memory.

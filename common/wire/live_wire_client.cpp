@@ -147,6 +147,7 @@ v1::Greeting to_wire(const Greeting& greeting) {
   v1::Greeting message;
   message.set_session(greeting.session);
   message.set_pages(true);
+  message.set_held(greeting.knows_held);
   if (greeting.kind) message.set_kind(kind_to_wire(*greeting.kind));
   return message;
 }
@@ -157,7 +158,7 @@ Result<Greeting> from_wire(const v1::Greeting& message) {
         "this server sends frames by pages, and the client does not say that it knows pages: a "
         "newer client is needed");
   ASSIGN_OR_RETURN(const auto kind, kind_from_wire(message.kind()));
-  return Greeting{message.session(), kind};
+  return Greeting{message.session(), kind, message.held()};
 }
 
 v1::ClientMessage to_wire(const ClientMessage& message) {

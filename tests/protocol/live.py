@@ -19,7 +19,7 @@ class LiveSession:
         self.is_shown = False  # the newest message was decoded
         self.scan = Scan(client, session)
         self.decoder = self.scan.decoder()
-        self.send(greeting=editing_pb2.Greeting(session=session.id, kind=kind, pages=True))
+        self.send(greeting=editing_pb2.Greeting(session=session.id, kind=kind, pages=True, held=True))
         self.welcome = self.receive("welcome")
 
     def send(self, **message):

@@ -21,7 +21,7 @@ class LiveStream:
     def __init__(self, calls: Calls, session: str, heartbeat_seconds: float) -> None:
         self._outbox: queue.SimpleQueue[editing_pb2.ClientMessage | None] = queue.SimpleQueue()
         self._ended = threading.Event()
-        self.send(greeting=editing_pb2.Greeting(session=session, pages=True))
+        self.send(greeting=editing_pb2.Greeting(session=session, pages=True, held=True))
         self._call = calls.open_stream(calls.editing.Edit, iter(self._outbox.get, None))
         self._heart = threading.Thread(target=self._beat, args=(heartbeat_seconds,), daemon=True)
         self._heart.start()

@@ -154,6 +154,24 @@ TEST_P(FrameReceiving, TellsAChangedGainOfAPageThatDoesNotMove) {
   EXPECT_EQ(before->find(2)->gain, 0);
 }
 
+TEST_P(FrameReceiving, LeavesHeldVerticesWhereTheyAre) {
+  show({1, 2});
+  const auto before = next();
+  std::vector<WantedPage> wanted = sampler_.wanted(shown_);
+  const size_t bytes = held_bytes(shown_.pages()[1].layout->vertices);
+  auto held = std::make_shared<std::vector<uint8_t>>(bytes);
+  (*held)[0] = 1 << 5;
+  wanted[1].held = held;
+  const EncodedPageFrame frame = encoder_.encode({shown_, wanted, 2.5f}, kStillSteps);
+  const auto after = receive({frame.bytes.begin(), frame.bytes.end()});
+  ASSERT_TRUE(before && after);
+  EXPECT_EQ(after->find(1), before->find(1));
+  std::vector<Vec3f> expected = before->find(2)->displacements;
+  EXPECT_FALSE(expected[5].isZero());
+  expected[5].setZero();
+  EXPECT_EQ(after->find(2)->displacements, expected);
+}
+
 TEST_P(FrameReceiving, ReadsFramesFromBeforeAndAfterAChangeOfPages) {
   show({0, 1});
   const std::string first = encode();

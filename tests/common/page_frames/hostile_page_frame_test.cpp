@@ -47,9 +47,18 @@ TEST_F(HostilePageFrame, AnEmptyBodyIsRefused) {
   EXPECT_EQ(decode_status({}).code(), StatusCode::kDataLoss);
 }
 
-TEST_F(HostilePageFrame, AMarkAboveThreeIsRefused) {
-  body_[1] = 4;
-  EXPECT_THAT(decode_status(body_).message(), HasSubstr("marked 4, the largest mark is 3"));
+TEST_F(HostilePageFrame, AMarkAboveSevenIsRefused) {
+  body_[1] = 8;
+  EXPECT_THAT(decode_status(body_).message(), HasSubstr("marked 8, the largest mark is 7"));
+}
+
+TEST_F(HostilePageFrame, AHeldVertexBeyondThePagesLastIsRefused) {
+  body_[1] |= 4;
+  body_.insert(body_.begin() + 3, held_bytes(300), 0xff);
+  EXPECT_THAT(decode_status(body_).message(),
+              HasSubstr("page 8 holds a vertex beyond its last, 299"));
+  body_[3 + held_bytes(300) - 1] = 0x0f;
+  EXPECT_TRUE(decode_status(body_).is_ok());
 }
 
 TEST_F(HostilePageFrame, AWrongCountOfPagesIsRefused) {

@@ -82,6 +82,30 @@ TEST_P(PageFrames, AGainAloneIsNewsWithoutPages) {
   EXPECT_EQ(frame.sent_gains, 1u);
 }
 
+TEST_P(PageFrames, HeldVerticesAreNewsOnceAndLast) {
+  sampler_.sample(wavy_field(3, 0));
+  send();
+  std::vector<WantedPage> wanted = sampler_.wanted(shown_);
+  const size_t bytes = held_bytes(shown_.pages()[3].layout->vertices);
+  const auto held = std::make_shared<const std::vector<uint8_t>>(bytes, 1);
+  const auto send_wanted = [&] {
+    sent_ = encoder_.encode({shown_, wanted, 1.5F}, kStillSteps);
+    encoder_.acknowledge(sent_.sequence);
+    return decoder_.decode(sent_.bytes)->changed_pages;
+  };
+  wanted[3].held = held;
+  EXPECT_THAT(send_wanted(), ElementsAre(3));
+  EXPECT_EQ(sent_.sent_pages, 0u);
+  EXPECT_EQ(sent_.sent_held, 1u);
+  EXPECT_EQ(*decoder_.state().find(3)->held, *held);
+  wanted[3].held = std::make_shared<const std::vector<uint8_t>>(*held);
+  EXPECT_THAT(send_wanted(), IsEmpty());
+  EXPECT_EQ(sent_.sent_held, 0u);
+  wanted[3].held = nullptr;
+  EXPECT_THAT(send_wanted(), ElementsAre(3));
+  EXPECT_EQ(decoder_.state().find(3)->held, nullptr);
+}
+
 TEST_P(PageFrames, AStillViewSendsNoPagesAndFewBytes) {
   sampler_.sample(wavy_field(3, 0));
   send();

@@ -142,6 +142,11 @@ TEST(LiveWire, NothingIsKeptApartFromZero) {
   EXPECT_FALSE(std::get<MoveBrush>(returned(MoveBrush{})).ring.has_value());
 }
 
+TEST(LiveWire, AGreetingSaysWhetherTheClientKnowsHeldVertices) {
+  EXPECT_TRUE(std::get<Greeting>(returned(Greeting{"work"})).knows_held);
+  EXPECT_FALSE(std::get<Greeting>(returned(Greeting{"work", {}, false})).knows_held);
+}
+
 std::string refusal(const v1::ClientMessage& message) {
   const auto said = from_wire(message);
   if (said.is_ok()) return "accepted";

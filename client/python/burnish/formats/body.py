@@ -9,7 +9,7 @@ import numpy as np
 
 from .wire import Bytes, Ints, Words, require, unzigzag
 
-SENT, HAS_GAIN = 1, 2
+SENT, HAS_GAIN, HAS_HELD = 1, 2, 4
 GROUP = 16
 
 
@@ -23,21 +23,37 @@ def group_count(size: int) -> int:
     return -(-size // GROUP)
 
 
-def body_bytes_max(sizes: Sequence[int]) -> int:
-    """Returns the most bytes that the body of pages with so many values can have."""
+def held_bytes(vertices: int) -> int:
+    return -(-vertices // 8)
+
+
+def body_bytes_max(sizes: Sequence[int], vertices: Sequence[int]) -> int:
+    """Returns the most bytes that the body of pages with so many values and vertices can have."""
     groups = 3 * sum(map(group_count, sizes))
-    return 5 * len(sizes) + groups * (1 + 4 * GROUP)
+    return 5 * len(sizes) + groups * (1 + 4 * GROUP) + sum(map(held_bytes, vertices))
+
+
+def _read_held(streams: io.BytesIO, vertices: int) -> Ints:
+    bits = np.unpackbits(take(streams, held_bytes(vertices)), bitorder="little")
+    require(not bits[vertices:].any(), "a vertex is held that the page does not have")
+    return np.flatnonzero(bits)
 
 
 class Body:
-    """The flags, gains and residuals of a body. `sizes`: values of each shown page."""
+    """The flags, gains, held vertices and residuals of a body. `sizes` and `vertices`: numbers of
+    values and vertices of each shown page."""
 
-    def __init__(self, data: bytes, sizes: Sequence[int]) -> None:
+    def __init__(self, data: bytes, sizes: Sequence[int], vertices: Sequence[int]) -> None:
         streams = io.BytesIO(data)
         self.flags: list[int] = take(streams, len(sizes)).tolist()
-        require(max(self.flags, default=0) <= SENT | HAS_GAIN, "a page has an unknown flag")
-        self.gains: list[int] = take(streams, sum(flag >> 1 for flag in self.flags)).tolist()
+        require(max(self.flags, default=0) <= SENT | HAS_GAIN | HAS_HELD,
+                "a page has an unknown flag")
+        self.gains: list[int] = take(
+            streams, sum(flag & HAS_GAIN != 0 for flag in self.flags)).tolist()
         require(max(self.gains, default=0) <= 15, "a gain is above 15")
+        self.held = [_read_held(streams, count)
+                     for count, flag in zip(vertices, self.flags) if flag & HAS_HELD]
+        """The held vertices of the pages that say so, rising."""
         self._sizes = [size for size, flag in zip(sizes, self.flags) if flag & SENT]
         self._widths = self._read_widths(streams)
         self._groups = self._read_groups(streams)

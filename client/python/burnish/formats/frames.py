@@ -11,9 +11,9 @@ import numpy.typing as npt
 
 from burnish.errors import Damaged
 
-from .body import HAS_GAIN, SENT, Body, body_bytes_max
+from .body import HAS_GAIN, HAS_HELD, SENT, Body, body_bytes_max
 from .layout import Chain, Layout, wrap
-from .wire import checksum, decompress, require
+from .wire import Ints, checksum, decompress, require
 
 COLOURS = 1 << 31
 """A page's number plus this stands for its colours."""
@@ -50,6 +50,8 @@ class PageState:
     """n x 3, in 1/256 cell."""
     gain: int = 0
     """Exponent of two."""
+    held: Ints = dataclasses.field(default_factory=lambda: np.zeros(0, np.int64))
+    """Vertices that stay where they are, whatever the values are."""
 
 
 def read_frame_header(data: bytes) -> FrameHeader:
@@ -97,16 +99,20 @@ class FrameDecoder:
         pages = self.revisions[frame.revision]
         layouts = {page: self._layout(page, frame.kind) for page in pages}
         sizes = [layouts[page].size for page in pages]
-        require(frame.body_bytes <= body_bytes_max(sizes), "a body is longer than its pages")
-        body = Body(decompress(data[56:], frame.body_bytes), sizes)
+        vertices = [layouts[page].vertices for page in pages]
+        require(frame.body_bytes <= body_bytes_max(sizes, vertices),
+                "a body is longer than its pages")
+        body = Body(decompress(data[56:], frame.body_bytes), sizes, vertices)
         frame.sent = [page for page, flag in zip(pages, body.flags) if flag & SENT]
         require(len(frame.sent) == frame.sent_pages, "other pages are sent than announced")
         state = {page: reference.get(page, PageState(np.zeros((size, 3), np.int32)))
                  for page, size in zip(pages, sizes)}
-        gains = iter(body.gains)
+        gains, held = iter(body.gains), iter(body.held)
         for page, flag in zip(pages, body.flags):
             if flag & HAS_GAIN:
-                state[page] = PageState(state[page].values, next(gains))
+                state[page] = dataclasses.replace(state[page], gain=next(gains))
+            if flag & HAS_HELD:
+                state[page] = dataclasses.replace(state[page], held=next(held))
         self._move(state, layouts, frame, body)
         self._keep(frame, state, layouts)
         return frame
@@ -117,7 +123,9 @@ class FrameDecoder:
 
     def displacements(self, page: int) -> npt.NDArray[np.float64]:
         """Returns the n x 3 displacements of a page's vertices, cells."""
-        return self.layouts[page].at_vertices(self.state[page].values / 256)
+        moves = self.layouts[page].at_vertices(self.state[page].values / 256)
+        moves[self.state[page].held] = 0
+        return moves
 
     def _layout(self, page: int, kind: int) -> Layout:
         known = self.layouts.get(page)
@@ -143,7 +151,7 @@ class FrameDecoder:
             end = first + len(old.values)
             rounded = wrap(old.values.astype(np.int64) + (1 << shift >> 1)) >> shift
             moved = wrap((rounded + k[first:end]) << shift).astype(np.int32)
-            state[page] = PageState(moved, old.gain)
+            state[page] = dataclasses.replace(old, values=moved)
             first = end
 
     def _chain_of(self, layouts: list[Layout]) -> Chain:

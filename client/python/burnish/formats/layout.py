@@ -66,6 +66,8 @@ class Layout:
 
     def __init__(self, page: Page, shift: int, kind: int) -> None:
         self.kind = kind
+        self.vertices = len(page.positions)
+        """The number of the page's vertices, whatever the values are."""
         if kind == VERTICES:
             self.predictors = Predictors(len(page.positions), vertex_pairs(page))
             return
