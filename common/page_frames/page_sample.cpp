@@ -49,11 +49,14 @@ Result<std::vector<PageSample>> sample_pages(
 }
 
 float largest_move(const SparseGrid& grid, std::span<const EvaluationPoint> points,
-                   std::span<const Vec3f> corner_displacements, size_t stride) {
+                   std::span<const Vec3f> corner_displacements, size_t stride,
+                   std::span<const uint32_t> held) {
   float largest = 0;
 #pragma omp parallel for schedule(static) reduction(max : largest)
-  for (size_t i = 0; i < points.size(); i += stride)
-    largest = std::max(largest, evaluate(grid, points[i], corner_displacements).squaredNorm());
+  for (size_t i = 0; i < points.size(); i += stride) {
+    const float length = evaluate(grid, points[i], corner_displacements).squaredNorm();
+    if (length > largest && !std::ranges::binary_search(held, i)) largest = length;
+  }
   return std::sqrt(largest);
 }
 

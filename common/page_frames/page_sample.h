@@ -27,9 +27,10 @@ Result<std::vector<PageSample>> sample_pages(
 
 /// Returns the length of the largest displacement of the points, in cells. Give it all points of
 /// the scan: corners alone would not do, since those that hardly weigh on a vertex wander. Looks at
-/// every `stride`-th point. Needs: stride >= 1.
+/// every `stride`-th point. Leaves out those that are `held`, rising. Needs: stride >= 1.
 float largest_move(const SparseGrid& grid, std::span<const EvaluationPoint> points,
-                   std::span<const Vec3f> corner_displacements, size_t stride = 1);
+                   std::span<const Vec3f> corner_displacements, size_t stride = 1,
+                   std::span<const uint32_t> held = {});
 
 /// Returns the least e <= kPageGainExponentMax with 2^e >= beta; 0 for a beta up to 1.
 uint8_t gain_exponent(double beta_max);

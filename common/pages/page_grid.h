@@ -28,6 +28,7 @@ struct PageGrid {
     }
     return position;
   }
+  bool operator==(const PageGrid&) const = default;
   Vec3d to_file(const Vec3i& position) const {
     return origin + (position.cast<double>() + Vec3d::Constant(0.5)) * step();
   }

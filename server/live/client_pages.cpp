@@ -34,11 +34,12 @@ PageFrameKind choose_kind(std::optional<PageFrameKind> present, uint64_t vertice
                                               : cheaper_kind(vertices * kOf, corners * kGain);
 }
 
-PageWishes::PageWishes(std::shared_ptr<ScanPageSource> source, std::optional<PageFrameKind> kind,
+PageWishes::PageWishes(std::shared_ptr<ScanPageSource> source, const Greeting& greeting,
                        Quota::Share memory)
     : source_(std::move(source)),
-      insisted_(kind),
-      kind_(kind.value_or(PageFrameKind::kVertices)),
+      insisted_(greeting.kind),
+      knows_held_(greeting.knows_held),
+      kind_(greeting.kind.value_or(PageFrameKind::kVertices)),
       made_(std::make_shared<const ClientPages>(ClientPages{.kind = kind_})),
       memory_(std::move(memory)) {}
 
@@ -103,7 +104,7 @@ PageFrameKind PageWishes::choose() const {
 }
 
 ClientPages PageWishes::gather(const ShownPages& wanted) const {
-  ClientPages made{.kind = kind_};
+  ClientPages made{.kind = kind_, .knows_held = knows_held_};
   std::vector<ShownPage> shown;
   for (const auto& [number, page] : loaded_) {
     made.pages.push_back(page);

@@ -15,6 +15,7 @@ namespace burnish {
 /// The pages that one client shows at a revision. Immutable.
 struct ClientPages {
   PageFrameKind kind = PageFrameKind::kVertices;
+  bool knows_held = false;  ///< frames may name the vertices that stay
   ShownPages shown;
   std::vector<std::shared_ptr<const LivePage>> pages;  ///< one per shown page, in its order
 };
@@ -28,9 +29,9 @@ PageFrameKind choose_kind(std::optional<PageFrameKind> present, uint64_t vertice
 /// fast wishes come. Thread-safe; one thread at a time makes pages.
 class PageWishes {
  public:
-  /// `kind`: that the client insists on. `memory`: of the client's lists and frames.
-  PageWishes(std::shared_ptr<ScanPageSource> source, std::optional<PageFrameKind> kind,
-             Quota::Share memory);
+  /// `greeting`: names the kind that the client insists on. `memory`: of the client's lists and
+  /// frames.
+  PageWishes(std::shared_ptr<ScanPageSource> source, const Greeting& greeting, Quota::Share memory);
 
   /// Checks and notes a change. Returns true if somebody must now call make_some(), until that
   /// returns false. Fails: as ShownPages::check(); resource_exhausted (kPageChangesInFlightMax, or
@@ -64,6 +65,7 @@ class PageWishes {
 
   const std::shared_ptr<ScanPageSource> source_;
   const std::optional<PageFrameKind> insisted_;
+  const bool knows_held_;
   // Used by make_some() only.
   PageFrameKind kind_;
   Loaded loaded_;

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "server/live/held_points.h"
 #include "server/live/steady_surface.h"
 #include "server/live/subscriber.h"
 #include "server/manager/session_turn.h"
@@ -106,6 +107,7 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
   void show_unmoved();
   void begin_steady_surface(SessionTurn& at);
   std::span<const Vec3f> shown_displacement(SessionTurn& at, FrameStats& stats);
+  HeldPoints* held_points(const Session& session);
   Status send_frames(SessionTurn& at);
   void tell_people();
   std::vector<std::shared_ptr<Subscriber>> subscribers() const;
@@ -128,6 +130,7 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
   Seen seen_;
   uint64_t life_ = 0;  // of the session that the next members are of; it shows the gestures
   std::optional<SteadySurface> steady_;
+  std::optional<HeldPoints> held_;  // while rims are held
   struct Still {
     uint64_t version;
     std::shared_ptr<const SurfaceShot> shot;

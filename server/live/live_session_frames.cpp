@@ -75,6 +75,15 @@ std::span<const Vec3f> LiveSession::shown_displacement(SessionTurn& at, FrameSta
   return shown;
 }
 
+HeldPoints* LiveSession::held_points(const Session& session) {
+  const auto& rims = session.shown_fields().rims();
+  if (!rims)
+    held_.reset();
+  else if (!held_ || held_->rims() != rims)
+    held_.emplace(session.prepared(), rims);
+  return held_ ? &*held_ : nullptr;
+}
+
 Status LiveSession::send_frames(SessionTurn& at) {
   Session& session = at.session();
   FrameStats stats = stats_of(at);
@@ -89,7 +98,8 @@ Status LiveSession::send_frames(SessionTurn& at) {
                              .beta = session.shown_fields().view().beta,
                              .settled = stats.settled,
                              .last = still_ ? still_->shot.get() : nullptr,
-                             .colour = session.colour_change()};
+                             .colour = session.colour_change(),
+                             .held = held_points(session)};
   stats.volume = session.kept_volume().value_or(0);
   ASSIGN_OR_RETURN(SurfaceShot taken, SurfaceShot::take(moment, pages_of_wishes(wanting)));
   const auto surface = std::make_shared<const SurfaceShot>(std::move(taken));

@@ -47,7 +47,7 @@ Result<LiveClient> LiveSessions::join(const Greeting& greeting, const Caller& ca
   };
   const uint64_t connection = attached.entry->presence.join(caller.user);
   auto wishes = std::make_unique<PageWishes>(sources_.find_or_make(std::move(pages), attached.mesh),
-                                             greeting.kind, std::move(memory).value());
+                                             greeting, std::move(memory).value());
   auto subscriber = std::make_shared<Subscriber>(connection, caller, std::move(wishes), encoders_,
                                                  std::move(wiring));
   session->join(subscriber);

@@ -28,13 +28,14 @@ Result<ScanPageSource::Pages> ScanPageSource::find_or_make(std::span<const PageI
 Result<std::shared_ptr<const LivePage>> ScanPageSource::make(const Key& key) {
   const auto [number, kind] = key;
   const SparseGrid& grid = mesh_->hierarchy->at(mesh_->hierarchy->finest).grid;
-  const int bits = file().directory().head.grid.bits;
+  const PageGrid& lattice = file().directory().head.grid;
   ASSIGN_OR_RETURN(Page page, store_.read_page(*scan_, page_in_file(number)));
   page.id = number;
-  const PageSize size = measure_page(page, bits, grid.depth);
+  const PageSize size =
+      measure_page(page, lattice.bits, grid.depth, !mesh_->prepared->statistics.is_closed());
   ASSIGN_OR_RETURN(Quota::Share memory,
                    store_.memory().take(kServer, predict_page_bytes(size, kind)));
-  auto made = std::make_shared<LivePage>(make_live_page(page, size, bits, grid, kind));
+  auto made = std::make_shared<LivePage>(make_live_page(page, size, lattice, grid, kind));
   made->memory = std::move(memory);
   return keep(key, std::move(made));
 }

@@ -129,8 +129,8 @@ EncodedPageFrame Subscriber::encode(const Shot& shot, uint32_t bytes_max) {
 }
 
 bool Subscriber::shows_the_last(const EncodedPageFrame& frame, uint32_t revision) const {
-  return frame.sent_pages == 0 && frame.sent_gains == 0 && revision == last_revision_ &&
-         frame.reference != 0 && frame.reference == last_sequence_;
+  return frame.sent_pages == 0 && frame.sent_gains == 0 && frame.sent_held == 0 &&
+         revision == last_revision_ && frame.reference != 0 && frame.reference == last_sequence_;
 }
 
 void Subscriber::encode(const Shot& shot) {

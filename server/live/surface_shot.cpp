@@ -32,6 +32,13 @@ std::shared_ptr<const PageSample> zeros_of(const LivePage& page) {
       PageSample{page.number(), std::vector<int32_t>(values)});
 }
 
+void still(const HeldVertices& held, PageSample& sample) {
+  const size_t vertices = sample.steps.size() / 3;
+  for_each_held(held, [&](size_t vertex) {
+    for (size_t axis = 0; axis < 3; ++axis) sample.steps[axis * vertices + vertex] = 0;
+  });
+}
+
 // Sums before it rounds: two roundings would be a step off.
 std::shared_ptr<const PageSample> with_details(const LivePage& page, const PageSample& on_grid,
                                                const SparseGrid& grid, const ColourChange& change) {
@@ -54,7 +61,11 @@ float largest_move_of(const SurfaceMoment& moment) {
   constexpr size_t kMovingPointsMax = size_t{1} << 17;
   const size_t stride =
       moment.settled ? 1 : (moment.scan.size() + kMovingPointsMax - 1) / kMovingPointsMax;
-  return largest_move(moment.grid, moment.scan, moment.displacement, std::max(stride, size_t{1}));
+  const std::span<const uint32_t> held =
+      moment.held ? std::span<const uint32_t>(moment.held->rims()->vertices)
+                  : std::span<const uint32_t>();
+  return largest_move(moment.grid, moment.scan, moment.displacement, std::max(stride, size_t{1}),
+                      held);
 }
 
 }  // namespace
@@ -77,6 +88,7 @@ Result<SurfaceShot> SurfaceShot::take(const SurfaceMoment& moment,
     const uint8_t gain = is_colour ? 0 : gain_of(*page, moment.beta);
     shot.pages_.push_back(page.get());
     shot.parts_.push_back(known ? *known : Part{page, nullptr, gain});
+    if (!known && moment.held) shot.parts_.back().held = moment.held->of(page);
   }
   RETURN_IF_ERROR(shot.sample(places, moment.grid, moment.displacement, 1));
   if (!moment.colour.on_grid.empty())
@@ -90,13 +102,18 @@ Result<SurfaceShot> SurfaceShot::take(const SurfaceMoment& moment,
 Status SurfaceShot::sample(std::span<const size_t> parts, const SparseGrid& grid,
                            std::span<const Vec3f> values, float scale) {
   std::vector<std::shared_ptr<const PageEvaluation>> pages;
+  std::vector<PageFrameKind> kinds;
   for (const size_t part : parts) {
     const auto page = parts_[part].page.lock();
     pages.emplace_back(page, &page->evaluation);
+    kinds.push_back(page->kind);
   }
   ASSIGN_OR_RETURN(auto samples, sample_pages(grid, pages, values, scale));
-  for (size_t i = 0; i < samples.size(); ++i)
-    parts_[parts[i]].sample = std::make_shared<const PageSample>(std::move(samples[i]));
+  for (size_t i = 0; i < samples.size(); ++i) {
+    Part& part = parts_[parts[i]];
+    if (kinds[i] == PageFrameKind::kVertices) still(part.held, samples[i]);
+    part.sample = std::make_shared<const PageSample>(std::move(samples[i]));
+  }
   return Status::ok();
 }
 
@@ -127,11 +144,12 @@ SurfaceShot SurfaceShot::unmoved(std::span<const std::shared_ptr<const ClientPag
 }
 
 std::vector<WantedPage> SurfaceShot::wanted(const ClientPages& client) const {
+  const bool says_held = client.knows_held && client.kind == PageFrameKind::kCorners;
   std::vector<WantedPage> wanted;
   wanted.reserve(client.pages.size());
   for (const auto& page : client.pages) {
     const Part& part = *find(*page);
-    wanted.push_back({part.sample->steps, part.gain});
+    wanted.push_back({part.sample->steps, part.gain, says_held ? part.held : nullptr});
   }
   return wanted;
 }

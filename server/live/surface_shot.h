@@ -7,6 +7,7 @@
 #include "common/page_frames/page_frame_encoder.h"
 #include "common/page_frames/page_sample.h"
 #include "server/live/client_pages.h"
+#include "server/live/held_points.h"
 #include "server/session/colour_channel.h"
 
 namespace burnish {
@@ -22,6 +23,7 @@ struct SurfaceMoment {
   bool settled = false;
   const SurfaceShot* last = nullptr;  ///< of the same surface: is not done again
   ColourChange colour = {};
+  HeldPoints* held = nullptr;  ///< null: no rim is held
 };
 
 /// The pages that some clients show, sampled at one moment. Immutable: encoders share it.
@@ -46,6 +48,7 @@ class SurfaceShot {
     std::weak_ptr<const LivePage> page;
     std::shared_ptr<const PageSample> sample;
     uint8_t gain = 0;
+    HeldVertices held = {};
   };
 
   Status sample(std::span<const size_t> parts, const SparseGrid& grid,

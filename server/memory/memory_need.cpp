@@ -11,6 +11,7 @@ static constexpr uint64_t kSessionBytesPerCell = 60;     // fields, paint, a ges
 static constexpr uint64_t kShownBytesPerCorner = 48;     // of the finest depth, with all controls
 static constexpr uint64_t kFrameInTheMaking = 36;    // per value: its sample, two drafts, its bytes
 static constexpr uint64_t kPageBytes = 512;          // of a page's own, without its values
+static constexpr uint64_t kBytesPerEdgeVertex = 16;  // its number and position
 static constexpr uint64_t kPageInLists = 128;        // of a client: wanted, made and shown pages
 static constexpr uint64_t kCoarsestBytes = 6 << 20;  // the direct solver of the coarsest depth
 // Numbers read from devices, once for each device and once together.
@@ -54,6 +55,7 @@ uint64_t predict_page_bytes(const PageSize& page, PageFrameKind kind) {
   constexpr uint64_t kGrowth = 2;  // of a vector that grows by itself
   const uint64_t colours = has_corners ? 0 : page.vertices * sizeof(Rgba8);
   return kPageBytes + colours + values * sizeof(EvaluationPoint) + page.vertices * sizeof(int32_t) +
+         page.edge_vertices * kBytesPerEdgeVertex + held_bytes(page.vertices) +
          kGrowth * (values + predictors) * sizeof(uint16_t);
 }
 

@@ -29,7 +29,8 @@ SessionNeed predict_session_need(const Multigrid& on, int devices);
 struct PageSize {
   uint32_t vertices = 0;
   uint32_t triangles = 0;
-  uint32_t corners = 0;  ///< count_page_corners()
+  uint32_t corners = 0;        ///< count_page_corners()
+  uint32_t edge_vertices = 0;  ///< that may lie on a rim
 };
 
 /// Returns the bytes that a page in a mesh's grid will take for the frames of one kind, for all

@@ -20,6 +20,10 @@ def curve(*points):
     return edit(transfer_curve=editing_pb2.SetTransferCurve(points=points))
 
 
+def controls(pin_rims):
+    return edit(controls=editing_pb2.Controls(pin_rims=pin_rims))
+
+
 def stroke(path, radius, beta):
     brush = editing_pb2.Brush(radius=radius, strength=0.8, beta=beta,
                               fall_off=editing_pb2.FALL_OFF_SMOOTH)

@@ -8,7 +8,7 @@ import numpy as np
 import edits
 import scan
 from burnish.v1 import editing_pb2
-from served import Served
+from served import DEPTH, Served
 from shown import match
 
 STEP = 1 / 256  # cells
@@ -151,6 +151,27 @@ class Frames(Served):
         for beta, gain in (1.0, 0), (1.5, 1), (2.0, 1), (9.0, 4):
             live.settle(live.apply(edits.slider(beta)).edits)
             self.assertEqual({page.gain for page in live.decoder.state.values()}, {gain})
+
+    def test_held_rims_stay_in_frames_of_both_kinds(self):
+        """On half of the scan. A new session holds the rim."""
+        upper = self.triangles[(self.vertices[self.triangles, 2] > 0).all(axis=1)]
+        event = self.client.import_scan("half", scan.write_ply(self.vertices, upper), DEPTH)[-1]
+        ways = np.sort(np.concatenate([upper[:, [0, 1]], upper[:, [1, 2]], upper[:, [2, 0]]]), axis=1)
+        edges, count = np.unique(ways, axis=0, return_counts=True)
+        rim = np.unique(edges[count == 1])
+        session = self.client.open_session(event.done.scan.id, self.id(), DEPTH)
+        self.addCleanup(self.delete, session)
+        for kind in KINDS.values():
+            live = self.join(session, kind)
+            for pin_rims in True, False:
+                change = live.apply(edits.slider(0), edits.curve((-3, 2), (3, 150)),
+                                    edits.controls(pin_rims))
+                live.settle(change.edits)
+                far = [np.abs(moved[np.isin(self.vertices_of(live, page), rim)]).max(initial=0)
+                       for page, moved in live.displacements().items()]
+                self.assertEqual(max(far) == 0, pin_rims, far)
+                names = any(state.held.size for state in live.decoder.state.values())
+                self.assertEqual(names, pin_rims and kind == KINDS["corners"])
 
     def test_a_watcher_gets_key_frames_without_asking(self):
         session = self.open()

@@ -96,6 +96,16 @@ TEST(PageSample, AStrideLooksAtSomePointsAlone) {
   EXPECT_EQ(largest_move(small.grid, std::span(points).subspan(3, 2), field, 2), 0);
 }
 
+TEST(PageSample, TheLargestMoveLeavesOutHeldPoints) {
+  const SmallPages& small = small_pages();
+  std::vector<EvaluationPoint> points(3, {0, {0.5F, 0.5F, 0.5F}});
+  points[1].cell = kNone;
+  const std::vector<Vec3f> field(small.grid.corners.size(), Vec3f(3, 0, -4));
+  const uint32_t one[] = {0}, both[] = {0, 2};
+  EXPECT_NEAR(largest_move(small.grid, points, field, 1, one), 5, 1e-5);
+  EXPECT_EQ(largest_move(small.grid, points, field, 1, both), 0);
+}
+
 TEST(PageSample, TheGainIsThePowerOfTwoThatHoldsBeta) {
   EXPECT_EQ(gain_exponent(0), 0);
   EXPECT_EQ(gain_exponent(1), 0);
