@@ -90,7 +90,8 @@ def try_case(facts, case, ways, folder):
         told = ways[name].go(settings, other)
         assert other.read_bytes() == out.read_bytes(), f"{name} differs from {first}"
         if name == "python":
-            checks.check_frame(facts, report, moved, told)
+            checks.check_frame(facts, report, moved, told.frame)
+            checks.check_shown_rims(facts, case, report, moved, told)
     return moved.max() / facts.diagonal
 
 

@@ -97,6 +97,42 @@ def check_rims(facts, case, report, moved):
         assert rims["held"] == 0 or still > 0, "no held rim is still"
 
 
+def check_shown_rims(facts, case, report, moved, shown):
+    """A live picture has rims where the export has them: exactly, if they are held."""
+    used = np.intersect1d(facts.rim, facts.mesh.faces)
+    if not used.size or len(shown.rest) < len(np.unique(facts.mesh.faces)):
+        return
+    places, of_place = np.unique(facts.mesh.vertices[used], axis=0, return_inverse=True)
+    still = np.ones(len(places), bool)
+    np.logical_and.at(still, of_place.ravel(), moved[used] == 0)
+    seen = _nearest_places(places, shown.rest, shown.step)
+    shows = np.linalg.norm(shown.frame.displacements, axis=1)
+    far = shows[seen[:, 1]][still[seen[:, 0]]]
+    assert not far.any(), f"frames move a held rim by {far.max():.1e}"
+    assert not still.any() or far.size, "frames lack the held rims"
+    if case.has("--pin-rims") and moved[used].max() > 0.1 * report["grid"]["cell_size"]:
+        assert shows[seen[:, 1]].max() > 0, "frames hold a free rim"
+
+
+def _nearest_places(places, rest, step):
+    """Returns pairs of a place and a point that is the place, rounded to the lattice of pages."""
+    low = np.minimum(places.min(0), rest.min(0)) - 32 * step
+    def key(points, offset):
+        x, y, z = ((points - low) / (16 * step)).astype(np.int64).T + offset[:, None]
+        return (x << 42) + (y << 21) + z
+    order = np.argsort(keys := key(rest, np.zeros(3, np.int64)))
+    keys, pairs = keys[order], []
+    for offset in np.ndindex(3, 3, 3):
+        wanted = key(places, np.array(offset) - 1)
+        first, last = np.searchsorted(keys, wanted), np.searchsorted(keys, wanted, "right")
+        count = last - first
+        place = np.repeat(np.arange(len(places)), count)
+        point = order[np.arange(count.sum()) - np.repeat(np.cumsum(count) - count - first, count)]
+        near = (np.abs(rest[point] - places[place]) <= 0.5001 * step).all(axis=1)
+        pairs.append(np.stack([place[near], point[near]], axis=1))
+    return np.concatenate(pairs)
+
+
 def check_protected(facts, case, report, moved):
     """No vertex moves whose cell and its neighbours lie in the region."""
     if case.has("--protect"):

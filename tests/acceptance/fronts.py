@@ -1,5 +1,6 @@
 """The ways to a result. Each takes a scan's file and a case's settings, and writes a file."""
 
+import dataclasses
 import json
 import os
 import pathlib
@@ -8,9 +9,19 @@ import tempfile
 import urllib.request
 
 import burnish
+import numpy as np
 
 PATIENCE_S = 1200  # for a frame at rest, and for the page
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+@dataclasses.dataclass(frozen=True)
+class Shown:
+    """A live frame."""
+
+    frame: burnish.Frame
+    rest: np.ndarray  # the places of its vertices before all edits
+    step: float  # of the lattice that they are rounded to
 
 
 class Refused(Exception):
@@ -103,15 +114,16 @@ class Server:
             page.follow(session.name, script, out)
 
     def by_python(self, settings, out):
-        """By the Python package. Returns the live frame at rest."""
+        """By the Python package. Returns what is shown at rest."""
         with _deleted(self._open()) as session:
             with session.live() as live:
                 changes = _changes(settings)
                 if changes:
                     live.apply(*changes)
                 frame = live.settle(PATIENCE_S)
+                rest, step = live.original.vertices, live.lattice_step
             session.export(out, exact=True)
-        return frame
+        return Shown(frame, rest, step)
 
 
 class _deleted:
