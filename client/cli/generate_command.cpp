@@ -49,6 +49,12 @@ void add_generate_command(CommandTable& table) {
   command->add_option("--vertices", options->scan.vertices, "About how many")
       ->capture_default_str();
   command->add_option("--seed", options->scan.seed, "Same seed, same scan")->capture_default_str();
+  command
+      ->add_option(
+          "--noise", options->scan.noise,
+          "Deviation of the scanner's noise, over the mean edge, along the normals; 0: none "
+          "(default: what the kind has by itself)")
+      ->check(CLI::Range(0.0, kScannerNoiseMax));
   command->add_flag("--json", options->json, "Print the result as JSON");
   command->footer(kinds);
 }

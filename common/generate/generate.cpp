@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "common/base/text.h"
 #include "common/generate/generate_kinds.h"
 #include "common/generate/lattice.h"
+#include "common/generate/scanner.h"
 
 namespace burnish {
 namespace {
@@ -14,45 +17,53 @@ constexpr uint64_t kGeneratedVerticesMax = 50'000'000;
 struct Recipe {
   GeneratedScanKind kind;
   uint64_t vertices_min;  ///< with fewer the kind loses its features
-  TriangleMesh (*make)(uint64_t vertices, uint64_t seed);
+  TriangleMesh (*make)(const GeneratedScan& wanted);
+  bool has_own_noise = false;
 };
 
-TriangleMesh nearest_icosphere(uint64_t vertices, uint64_t /*seed*/) {
+TriangleMesh nearest_icosphere(const GeneratedScan& wanted) {
   const auto excess = [&](int level) {
-    return static_cast<int64_t>((uint64_t{10} << (2 * level)) + 2) - static_cast<int64_t>(vertices);
+    return static_cast<int64_t>((uint64_t{10} << (2 * level)) + 2) -
+           static_cast<int64_t>(wanted.vertices);
   };
   int level = 0;
   while (std::abs(excess(level + 1)) < std::abs(excess(level))) ++level;
   return make_icosphere(level, 1);
 }
 
-TriangleMesh nearest_cylinder(uint64_t vertices, uint64_t /*seed*/) {
+TriangleMesh nearest_cylinder(const GeneratedScan& wanted) {
   constexpr double kAroundOverAlong = 3.14;  // square quads at radius 1 and height 2
-  const double wish = static_cast<double>(vertices);
+  const double wish = static_cast<double>(wanted.vertices);
   const int along = lattice_size(std::sqrt(wish / kAroundOverAlong) - 1, 1);
   return make_cylinder(lattice_size(wish / (along + 1), 3), along, 1, 2);
 }
 
-TriangleMesh nearest_sheet(uint64_t vertices, uint64_t /*seed*/) {
-  return make_sheet(lattice_size(std::sqrt(static_cast<double>(vertices)) - 1, 1), 1, 0.1);
+TriangleMesh nearest_sheet(const GeneratedScan& wanted) {
+  return make_sheet(lattice_size(std::sqrt(static_cast<double>(wanted.vertices)) - 1, 1), 1, 0.1);
 }
 
 const std::vector<Recipe>& recipes() {
   static const std::vector<Recipe> all = {
       {{"tablet", "engraved stone fragment as scanned: noise, fracture faces, open underside"},
        1000,
-       generate_tablet},
+       generate_tablet,
+       true},
       {{"icosphere", "exact sphere from a split icosahedron"}, 12, nearest_icosphere},
       {{"cylinder", "exact open cylinder"}, 12, nearest_cylinder},
       {{"sheet", "exact open square with one smooth bump"}, 12, nearest_sheet},
       {{"blob", "closed lumpy surface with detail at every scale and fine noise"},
        26,
-       generate_blob},
-      {{"sheets", "two nearly parallel sheets, closer than a grid cell"}, 12, generate_sheets},
-      {{"fan", "five pages meeting in one spine of non-manifold edges"}, 30, generate_fan},
+       generate_blob,
+       true},
+      {{"sheets", "two nearly parallel sheets, closer than a grid cell"},
+       12,
+       generate_sheets,
+       true},
+      {{"fan", "five pages meeting in one spine of non-manifold edges"}, 30, generate_fan, true},
       {{"soup", "overlapping noisy range scans whose triangles share no vertices"},
        36,
-       generate_soup},
+       generate_soup,
+       true},
       {{"part", "machined part: flat faces, sharp edges, a boss and a through hole"},
        60,
        generate_part},
@@ -81,6 +92,30 @@ static Status unknown_kind(const std::string& kind) {
   return invalid_argument("unknown kind of scan '" + kind + "'; the kinds are " + names);
 }
 
+static double mean_edge(const TriangleMesh& mesh) {
+  double sum = 0;
+  for (const Triangle& t : mesh.triangles)
+    for (int i = 0; i < 3; ++i) sum += (mesh.vertices[t[(i + 1) % 3]] - mesh.vertices[t[i]]).norm();
+  return sum / (3 * static_cast<double>(mesh.triangles.size()));
+}
+
+// Scanners interpolate and average, so half of the noise's power is smooth over two edges.
+ScannerNoise wanted_noise(const TriangleMesh& mesh, const GeneratedScan& wanted,
+                          const ScannerNoise& own) {
+  if (!wanted.noise) return own;
+  const double edge = mean_edge(mesh), part = *wanted.noise * edge / std::numbers::sqrt2;
+  return {.white = part, .correlated = part, .correlation_length = 2 * edge};
+}
+
+// Exact shapes keep their double positions if they get no noise.
+static TriangleMesh made(const Recipe& recipe, const GeneratedScan& wanted) {
+  TriangleMesh mesh = recipe.make(wanted);
+  if (recipe.has_own_noise || wanted.noise.value_or(0) == 0) return mesh;
+  add_scanner_noise(mesh, wanted_noise(mesh, wanted, {}), wanted.seed);
+  round_to_float(mesh);
+  return mesh;
+}
+
 Result<TriangleMesh> generate_scan(const GeneratedScan& scan) {
   const auto& all = recipes();
   const auto recipe = std::find_if(all.begin(), all.end(),
@@ -90,7 +125,10 @@ Result<TriangleMesh> generate_scan(const GeneratedScan& scan) {
     return invalid_argument(scan.kind + " of " + std::to_string(scan.vertices) +
                             " vertices is outside " + std::to_string(recipe->vertices_min) + ".." +
                             std::to_string(kGeneratedVerticesMax));
-  return recipe->make(scan.vertices, scan.seed);
+  if (scan.noise && !(*scan.noise >= 0 && *scan.noise <= kScannerNoiseMax))
+    return invalid_argument("noise of " + shortest_text(*scan.noise) +
+                            " mean edges is outside 0.." + shortest_text(kScannerNoiseMax));
+  return made(*recipe, scan);
 }
 
 }  // namespace burnish

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,7 +16,13 @@ struct GeneratedScan {
   std::string kind;             ///< one of generated_scan_kinds()
   uint64_t vertices = 100'000;  ///< wanted; the kind's nearest count is taken
   uint64_t seed = 1;            ///< same seed, same mesh, on every machine
+  /// Deviation of the scanner's noise, over the mean edge, within 15 %. It replaces the noise that
+  /// the kind has by itself; a wall keeps its densities'. Same vertices and triangles for every
+  /// noise.
+  std::optional<double> noise = {};
 };
+
+inline constexpr double kScannerNoiseMax = 1;  ///< over the mean edge
 
 struct GeneratedScanKind {
   std::string_view name;
@@ -28,7 +35,8 @@ const std::vector<GeneratedScanKind>& generated_scan_kinds();
 
 /// Generates a valid, consistently oriented mesh; closed meshes face outwards. The exact shapes
 /// (icosphere, cylinder, sheet, part) keep double positions; the others are rounded to float.
-/// Fails: invalid_argument for an unknown kind or a count outside the kind's limits.
+/// Fails: invalid_argument for an unknown kind, a count outside the kind's limits, or noise outside
+/// 0 to kScannerNoiseMax.
 Result<TriangleMesh> generate_scan(const GeneratedScan& scan);
 
 /// Makes a sphere around the origin: an icosahedron split `level` times (10·4^level + 2 vertices),

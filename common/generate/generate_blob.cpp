@@ -48,8 +48,8 @@ double blob_radius(const Vec3d& direction, uint64_t seed) {
   return 1 + lumps - creases + detail;
 }
 
-TriangleMesh generate_blob(uint64_t vertices, uint64_t seed) {
-  const int n = lattice_size(std::sqrt((static_cast<double>(vertices) - 2) / 6), 1);
+TriangleMesh generate_blob(const GeneratedScan& wanted) {
+  const int n = lattice_size(std::sqrt((static_cast<double>(wanted.vertices) - 2) / 6), 1);
   const CubeSurface surface(n);
   TriangleMesh mesh;
   mesh.vertices.resize(6 * static_cast<size_t>(n) * n + 2);
@@ -59,7 +59,7 @@ TriangleMesh generate_blob(uint64_t vertices, uint64_t seed) {
       const bool whole_row = k == 0 || k == n || j == 0 || j == n;
       for (int i = 0; i <= n; i += whole_row ? 1 : n) {
         const Vec3d direction = sphere_of_cube(Vec3d(i, j, k) * (2.0 / n) - Vec3d::Ones());
-        mesh.vertices[surface.index(i, j, k)] = direction * blob_radius(direction, seed);
+        mesh.vertices[surface.index(i, j, k)] = direction * blob_radius(direction, wanted.seed);
       }
     }
   for (int u = 0; u < n; ++u)
@@ -74,8 +74,10 @@ TriangleMesh generate_blob(uint64_t vertices, uint64_t seed) {
       quad([&](int a, int b) { return surface.index(0, b, a); });
       quad([&](int a, int b) { return surface.index(n, a, b); });
     }
-  add_scanner_noise(mesh, {.white = 4e-4, .correlated = 4e-4, .correlation_length = 0.02},
-                    sub_seed(seed, 4));
+  add_scanner_noise(
+      mesh,
+      wanted_noise(mesh, wanted, {.white = 4e-4, .correlated = 4e-4, .correlation_length = 0.02}),
+      sub_seed(wanted.seed, 4));
   round_to_float(mesh);
   return mesh;
 }

@@ -8,8 +8,8 @@
 
 namespace burnish {
 
-TriangleMesh generate_sheets(uint64_t vertices, uint64_t seed) {
-  const int side = lattice_size(std::sqrt(static_cast<double>(vertices) / 2) - 1, 1);
+TriangleMesh generate_sheets(const GeneratedScan& wanted) {
+  const int side = lattice_size(std::sqrt(static_cast<double>(wanted.vertices) / 2) - 1, 1);
   const uint32_t sheet = (side + 1) * (side + 1);
   TriangleMesh mesh;
   mesh.vertices.resize(2 * sheet);
@@ -17,8 +17,8 @@ TriangleMesh generate_sheets(uint64_t vertices, uint64_t seed) {
   for (int row = 0; row <= side; ++row)
     for (int column = 0; column <= side; ++column) {
       const Vec3d flat(static_cast<double>(column) / side, static_cast<double>(row) / side, 0);
-      const double z = 0.1 * fractal_noise(3 * flat, 4, sub_seed(seed, 0));
-      const double gap = kGap * (1 + 0.8 * gradient_noise(7 * flat, sub_seed(seed, 1)));
+      const double z = 0.1 * fractal_noise(3 * flat, 4, sub_seed(wanted.seed, 0));
+      const double gap = kGap * (1 + 0.8 * gradient_noise(7 * flat, sub_seed(wanted.seed, 1)));
       const uint32_t v = row * (side + 1) + column;
       mesh.vertices[v] = flat + Vec3d(0, 0, z);
       mesh.vertices[sheet + v] = flat + Vec3d(0, 0, z - gap);
@@ -28,9 +28,11 @@ TriangleMesh generate_sheets(uint64_t vertices, uint64_t seed) {
   add_lattice_quads(mesh, sheet, side + 1, side + 1);
   for (size_t t = upper_triangles; t < mesh.triangles.size(); ++t)
     std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);  // the lower sheet faces down
-  add_scanner_noise(mesh,
-                    {.white = 0.04 * kGap, .correlated = 0.04 * kGap, .correlation_length = 0.01},
-                    sub_seed(seed, 2));
+  add_scanner_noise(
+      mesh,
+      wanted_noise(mesh, wanted,
+                   {.white = 0.04 * kGap, .correlated = 0.04 * kGap, .correlation_length = 0.01}),
+      sub_seed(wanted.seed, 2));
   round_to_float(mesh);
   return mesh;
 }
@@ -41,9 +43,9 @@ static Vec3d fan_point(const Vec3d& direction, double out, double along) {
   return direction * out + across * (0.15 * out * out) + Vec3d(0, 0, along);
 }
 
-TriangleMesh generate_fan(uint64_t vertices, uint64_t seed) {
+TriangleMesh generate_fan(const GeneratedScan& wanted) {
   constexpr int kPages = 5;
-  const int side = lattice_size(std::sqrt(static_cast<double>(vertices) / kPages), 1);
+  const int side = lattice_size(std::sqrt(static_cast<double>(wanted.vertices) / kPages), 1);
   const int columns = side + 1;
   TriangleMesh mesh;
   for (int row = 0; row <= side; ++row)
@@ -64,20 +66,22 @@ TriangleMesh generate_fan(uint64_t vertices, uint64_t seed) {
         add_quad(mesh, index(column, row), index(column + 1, row), index(column + 1, row + 1),
                  index(column, row + 1));
   }
-  add_scanner_noise(mesh, {.white = 5e-4, .correlated = 1e-3, .correlation_length = 0.03},
-                    sub_seed(seed, 0));
+  add_scanner_noise(
+      mesh,
+      wanted_noise(mesh, wanted, {.white = 5e-4, .correlated = 1e-3, .correlation_length = 0.03}),
+      sub_seed(wanted.seed, 0));
   round_to_float(mesh);
   return mesh;
 }
 
 /// Makes one scan of the blob as seen along an axis. It overlaps its neighbours, and it is a little
 /// out of place, as scans are before their registration is refined.
-static TriangleMesh range_scan(int view, int side, uint64_t seed) {
+static TriangleMesh range_scan(int view, int side, const GeneratedScan& wanted) {
   constexpr double kHalfWidth = 1.2;  // 1 would just meet the neighbours
   const Vec3d forward = Vec3d::Unit(view / 2) * (view % 2 == 0 ? 1 : -1);
   const Vec3d right = Vec3d::Unit((view / 2 + 1) % 3);
   const Vec3d up = forward.cross(right);
-  const uint64_t own_seed = sub_seed(seed, 1 + view);
+  const uint64_t own_seed = sub_seed(wanted.seed, 1 + view);
   const Vec3d misplaced = 2e-3 * Vec3d(bounded_normal(own_seed, 0), bounded_normal(own_seed, 1),
                                        bounded_normal(own_seed, 2));
   TriangleMesh scan;
@@ -86,20 +90,22 @@ static TriangleMesh range_scan(int view, int side, uint64_t seed) {
       const double x = kHalfWidth * (2.0 * column / side - 1);
       const double y = kHalfWidth * (2.0 * row / side - 1);
       const Vec3d direction = (forward + right * x + up * y).normalized();
-      scan.vertices.push_back(direction * blob_radius(direction, seed) + misplaced);
+      scan.vertices.push_back(direction * blob_radius(direction, wanted.seed) + misplaced);
     }
   add_lattice_quads(scan, 0, side + 1, side + 1);
-  add_scanner_noise(scan, {.white = 5e-4, .correlated = 1e-3, .correlation_length = 0.02},
-                    own_seed);
+  add_scanner_noise(
+      scan,
+      wanted_noise(scan, wanted, {.white = 5e-4, .correlated = 1e-3, .correlation_length = 0.02}),
+      own_seed);
   return scan;
 }
 
-TriangleMesh generate_soup(uint64_t vertices, uint64_t seed) {
+TriangleMesh generate_soup(const GeneratedScan& wanted) {
   constexpr int kViews = 6;
-  const int side = lattice_size(std::sqrt(static_cast<double>(vertices) / (kViews * 6)), 1);
+  const int side = lattice_size(std::sqrt(static_cast<double>(wanted.vertices) / (kViews * 6)), 1);
   TriangleMesh soup;
   for (int view = 0; view < kViews; ++view) {
-    const TriangleMesh scan = range_scan(view, side, seed);
+    const TriangleMesh scan = range_scan(view, side, wanted);
     for (const Triangle& triangle : scan.triangles) {
       const auto first = static_cast<uint32_t>(soup.vertices.size());
       for (uint32_t v : triangle) soup.vertices.push_back(scan.vertices[v]);

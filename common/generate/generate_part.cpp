@@ -57,8 +57,9 @@ Vec3d corner_point(const SectionCorner& corner, const Vec3d& on_rectangle) {
 
 }  // namespace
 
-TriangleMesh generate_part(uint64_t vertices, uint64_t /*seed*/) {
-  const double spacing = std::sqrt(kMeanPerimeter * kSectionLength / static_cast<double>(vertices));
+TriangleMesh generate_part(const GeneratedScan& wanted) {
+  const double spacing =
+      std::sqrt(kMeanPerimeter * kSectionLength / static_cast<double>(wanted.vertices));
   std::array<int, 6> steps;
   uint32_t rows = 0;
   for (size_t i = 0; i < steps.size(); ++i) {
@@ -66,7 +67,7 @@ TriangleMesh generate_part(uint64_t vertices, uint64_t /*seed*/) {
     rows += steps[i];
   }
   const std::vector<Vec3d> outline =
-      rectangle_points(lattice_size(static_cast<double>(vertices) / rows / 4, 2));
+      rectangle_points(lattice_size(static_cast<double>(wanted.vertices) / rows / 4, 2));
   const auto around = static_cast<uint32_t>(outline.size());
 
   TriangleMesh mesh;

@@ -71,18 +71,25 @@ static void tear(TornLattice& lattice, const TabletLattice& size, uint64_t seed)
   }
 }
 
-TriangleMesh generate_tablet(uint64_t vertices, uint64_t seed) {
-  const TabletLattice size = tablet_lattice(vertices);
-  const TabletStone stone(sub_seed(seed, 0));
+TabletStone generated_tablet_stone(uint64_t seed) {
+  return TabletStone(sub_seed(seed, 0));
+}
+
+TriangleMesh generate_tablet(const GeneratedScan& wanted) {
+  const TabletLattice size = tablet_lattice(wanted.vertices);
+  const TabletStone stone = generated_tablet_stone(wanted.seed);
   TornLattice lattice(size.side());
 #pragma omp parallel for schedule(dynamic, 16)
   for (int row = 0; row < size.side(); ++row)
     for (int column = 0; column < size.side(); ++column)
-      lattice.vertex(column, row) = stone.point(place_of(size, column, row, sub_seed(seed, 1)));
-  tear(lattice, size, sub_seed(seed, 2));
+      lattice.vertex(column, row) =
+          stone.point(place_of(size, column, row, sub_seed(wanted.seed, 1)));
+  tear(lattice, size, sub_seed(wanted.seed, 2));
   TriangleMesh mesh = lattice.largest_piece();
-  add_scanner_noise(mesh, {.white = 0.08, .correlated = 0.13, .correlation_length = 3.5},
-                    sub_seed(seed, 3));
+  add_scanner_noise(
+      mesh,
+      wanted_noise(mesh, wanted, {.white = 0.08, .correlated = 0.13, .correlation_length = 3.5}),
+      sub_seed(wanted.seed, 3));
   round_to_float(mesh);
   return mesh;
 }

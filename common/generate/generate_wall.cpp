@@ -164,9 +164,10 @@ class Surface {
 
 }  // namespace
 
-TriangleMesh generate_wall(uint64_t vertices, uint64_t seed) {
-  const int side = lattice_size(std::sqrt(static_cast<double>(vertices) / kVerticesPerArea) + 1, 6);
-  const Volume volume(side, seed);
+TriangleMesh generate_wall(const GeneratedScan& wanted) {
+  const int side =
+      lattice_size(std::sqrt(static_cast<double>(wanted.vertices) / kVerticesPerArea) + 1, 6);
+  const Volume volume(side, wanted.seed);
   TriangleMesh mesh = Surface(volume).make();
   round_to_float(mesh);
   return mesh;

@@ -9,6 +9,9 @@ namespace {
 using Vec2d = Eigen::Vector2d;
 using Polyline = std::vector<Vec2d>;
 
+const Vec2d kInscriptionAt(-140, -72);
+constexpr double kInscriptionHeight = 34, kInscriptionWidth = 188;
+
 struct Chisel {
   double half_width, depth;
 };
@@ -118,7 +121,7 @@ std::vector<Groove> tablet_plan() {
   plan.columns({-162, -140}, {29.5, 0}, 9);
   plan.columns({-162, 2}, {0, -28.4}, 5);
   plan.columns({74, 2}, {0, -28.4}, 5);
-  plan.inscription("HORREA", {-140, -72}, 34);
+  plan.inscription("HORREA", kInscriptionAt, kInscriptionHeight);
   plan.rectangle(kThin, -110, -118, 16, -92);
   plan.line(kWall, {{96, -20}, {196, -20}, {196, -26}});
   plan.line(kWall, half_circle({196, -74}, 48, 24));
@@ -131,6 +134,12 @@ std::vector<Groove> tablet_plan() {
   plan.line(kWall, {{-400, -40}, {-260, -40}});
   plan.shops(-314, -260, -192, 62, 11);
   return plan.grooves();
+}
+
+Eigen::AlignedBox2d inscription_box() {
+  const Vec2d margin = Vec2d::Constant(2 * kLetter.half_width);
+  const Vec2d size(kInscriptionWidth, kInscriptionHeight);
+  return {kInscriptionAt - margin, kInscriptionAt + size + margin};
 }
 
 static double distance_to_segment(const Vec2d& p, const Vec2d& a, const Vec2d& b) {

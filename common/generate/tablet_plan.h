@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 namespace burnish {
 
@@ -18,6 +19,9 @@ struct Groove {
 /// shops, a courtyard with columns and its name, a hall with an apse, stairs. The plan reaches
 /// beyond the outline of every fragment, so that the fracture cuts through it.
 std::vector<Groove> tablet_plan();
+
+/// Returns the region of the courtyard's name. No other groove reaches into it.
+Eigen::AlignedBox2d inscription_box();
 
 /// Returns how deep the stone is cut at p: by the deepest groove there, 0 between grooves.
 double groove_depth(const std::vector<Groove>& grooves, const Eigen::Vector2d& p);

@@ -87,6 +87,12 @@ Vec2d TabletStone::on_plan(const Vec2d& p) const {
   return {kCosine * p.x() + kSine * p.y(), kCosine * p.y() - kSine * p.x()};
 }
 
+std::optional<double> TabletStone::letter_depth(const Vec2d& p) const {
+  const Vec2d at = on_plan(p);
+  if (!inscription_box().contains(at)) return std::nullopt;
+  return groove_depth(plan_, at);
+}
+
 double TabletStone::face_height(const Vec2d& p, double to_rim) const {
   const auto noise = [&](double wavelength, int octaves, Feature feature) {
     return fractal_noise(flat(p) / wavelength, octaves, sub_seed(seed_, feature));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -26,6 +27,10 @@ class TabletStone {
 
   Vec3d point(const StonePlace& place) const;
 
+  /// Returns how deep the letters are cut at p of the face, before hand and weather; nothing away
+  /// from the inscription.
+  std::optional<double> letter_depth(const Eigen::Vector2d& p) const;
+
  private:
   Eigen::Vector2d rim_towards(const Eigen::Vector2d& towards) const;
   double fracture(const Vec3d& p) const;
@@ -36,5 +41,8 @@ class TabletStone {
   std::vector<Eigen::Vector2d> outline_;  ///< counter-clockwise, star-shaped around the origin
   std::vector<Groove> plan_;
 };
+
+/// Returns the stone of the tablet that generate_scan() makes from this seed.
+TabletStone generated_tablet_stone(uint64_t seed);
 
 }  // namespace burnish

@@ -2,11 +2,13 @@
 
 #include <bit>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/generate/tablet_stone.h"
 #include "common/mesh/statistics.h"
 
 namespace burnish {
@@ -108,6 +110,21 @@ TEST_P(EveryKind, RefusesCountsOutsideItsLimits) {
               AllOf(HasSubstr("of 50000001 vertices"), HasSubstr("..50000000")));
 }
 
+TEST_P(EveryKind, IsTheSameSurfaceWithOtherNoise) {
+  const TriangleMesh clean = *generate_scan({kind(), 5000, 1, 0.0});
+  const TriangleMesh noisy = *generate_scan({kind(), 5000, 1, 0.2});
+  EXPECT_EQ(clean.triangles, noisy.triangles);
+  ASSERT_EQ(clean.vertices.size(), noisy.vertices.size());
+  const Triangle& first = clean.triangles[0];
+  const double edge = (clean.vertices[first[1]] - clean.vertices[first[0]]).norm();
+  double squares = 0;
+  for (size_t v = 0; v < clean.vertices.size(); ++v)
+    squares += (noisy.vertices[v] - clean.vertices[v]).squaredNorm();
+  const double deviation = std::sqrt(squares / static_cast<double>(clean.vertices.size()));
+  EXPECT_GT(deviation, 0.02 * edge);
+  EXPECT_LT(deviation, 2 * edge);
+}
+
 INSTANTIATE_TEST_SUITE_P(GeneratedScan, EveryKind, testing::ValuesIn(generated_scan_kinds()),
                          [](const auto& kind) { return std::string(kind.param.name); });
 
@@ -127,6 +144,40 @@ TEST(GeneratedScan, HasTheSameBitsOnEveryMachine) {
   EXPECT_EQ(hash_of(generate("sheets", 2000)), 0x4d1b6eed05f4725a);
   EXPECT_EQ(hash_of(generate("fan", 2000)), 0x6a1113c0557dbb19);
   EXPECT_EQ(hash_of(generate("soup", 2000)), 0x5469f6c20ad72b8d);
+}
+
+TEST(GeneratedScan, NoiseHasAboutTheWantedDeviationOverTheMeanEdge) {
+  const TriangleMesh clean = *generate_scan({"icosphere", 40'962, 1, 0.0});
+  const TriangleMesh noisy = *generate_scan({"icosphere", 40'962, 1, 0.2});
+  EXPECT_TRUE(clean.has_double_positions);
+  EXPECT_FALSE(noisy.has_double_positions);
+  double squares = 0;
+  for (size_t v = 0; v < clean.vertices.size(); ++v)
+    squares += (noisy.vertices[v] - clean.vertices[v]).squaredNorm();
+  const auto triangles = static_cast<double>(clean.triangles.size());
+  const double edge = std::sqrt(16 * std::numbers::pi / triangles / std::numbers::sqrt3);
+  EXPECT_NEAR(std::sqrt(squares / static_cast<double>(clean.vertices.size())), 0.2 * edge,
+              0.03 * edge);
+}
+
+TEST(GeneratedScan, RefusesNoiseOutsideItsLimits) {
+  const std::string message = generate_scan({"sheet", 1000, 1, 1.5}).status().to_string();
+  EXPECT_THAT(message, AllOf(HasSubstr("1.5"), HasSubstr("0..1")));
+}
+
+TEST(GeneratedTablet, LettersAreCutAsDeepAsTheyAreSaidToBe) {
+  const TriangleMesh mesh = *generate_scan({"tablet", 100'000, 1, 0.0});
+  const TabletStone stone = generated_tablet_stone(1);
+  double letters = 0, beside = 0;
+  int letter_count = 0, beside_count = 0;
+  for (const Vec3d& p : mesh.vertices) {
+    const auto depth = p.z() > -15 ? stone.letter_depth(p.head<2>()) : std::nullopt;
+    if (depth && *depth > 1.4) letters += p.z(), ++letter_count;
+    if (depth && *depth == 0) beside += p.z(), ++beside_count;
+  }
+  ASSERT_GT(letter_count, 100);
+  ASSERT_GT(beside_count, 100);
+  EXPECT_NEAR(beside / beside_count - letters / letter_count, 2, 0.4);
 }
 
 TEST(GeneratedTablet, IsManifoldWithBoundary) {
