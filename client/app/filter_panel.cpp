@@ -14,44 +14,43 @@
 
 namespace burnish {
 
-static bool draw_choice(const Preset& preset) {
+static bool draw_choice(const Preset& preset, const Document& document) {
   const bool is_chosen = noted(preset.name, ImGui::Selectable(preset.name.c_str()));
-  hint(preset.description.c_str());
+  hint((preset.description + ". " + effect_of(preset, document.lengths()) + ".").c_str());
   return is_chosen;
 }
 
 void FilterPanel::draw_presets(Document& document, MessageLog& log) {
   ImGui::SetNextItemWidth(-1);
-  const std::string title = preset_ ? preset_->name : "Presets";
+  const auto shown = document.preset_in_force(own_);
+  const std::string title = shown ? shown->preset.name : "Presets";
   if (noted("Presets",
             ImGui::BeginCombo("##presets", title.c_str(), ImGuiComboFlags_HeightLarge))) {
     if (ImGui::IsWindowAppearing()) read_own(log);
-    const auto choose = [&](const Preset& preset) {
-      preset_ = preset;
-      strength_ = 1;
-      document.apply(preset);
-    };
     for (const Preset& preset : own_)
-      if (draw_choice(preset)) choose(preset);
+      if (draw_choice(preset, document)) document.apply(preset);
     if (!own_.empty()) ImGui::Separator();
     for (const Preset& preset : presets())
-      if (draw_choice(preset)) choose(preset);
+      if (draw_choice(preset, document)) document.apply(preset);
     ImGui::Separator();
     draw_own(document, log);
     ImGui::EndCombo();
   }
-  if (preset_) draw_strength(document, log);
+  if (shown) draw_strength(document, *shown, log);
 }
 
-void FilterPanel::draw_strength(Document& document, MessageLog& log) {
+void FilterPanel::draw_strength(Document& document, const PresetInForce& shown, MessageLog& log) {
+  if (shown.preset.beta == 1 && shown.preset.bands.empty()) return;
+  double strength = shown.strength;
   ImGui::TextUnformatted("Strength");
   ImGui::SameLine();
-  faint_text("of the preset");
+  faint_text("%s of the preset", std::string(strength_word(strength)).c_str());
+  hint((effect_of(shown.preset, document.lengths()) + ", at full strength.").c_str());
   const SliderChange change =
-      linear_slider({{"Strength of the preset", 0, 1}, "%.2f", log}, strength_);
+      linear_slider({{"Strength of the preset", 0, 1}, "%.2f", log}, strength);
   if (change == SliderChange::kStill) return;
-  document.preview_beta(document.filter(*preset_, strength_).beta);
-  if (change == SliderChange::kDone) document.commit_beta();
+  document.preview_strength(shown.preset, strength);
+  if (change == SliderChange::kDone) document.commit_strength(shown.preset);
 }
 
 void FilterPanel::draw_own(const Document& document, MessageLog& log) {
@@ -60,31 +59,31 @@ void FilterPanel::draw_own(const Document& document, MessageLog& log) {
   ImGui::SameLine();
   ImGui::BeginDisabled(own_name_.empty());
   if (ImGui::Button("Keep", {-1, 0})) {
-    Preset preset{own_name_, "Your own", document.beta(), document.curve().curve(), {}, {}};
+    const Preset preset = own_preset(own_name_, document.filter(), document.lengths());
     const Status saved = save_own_preset(own_presets_path(), preset);
     if (saved.is_ok()) {
-      preset_ = std::move(preset);
-      strength_ = 1;
       own_name_.clear();
+      read_own(log);
     } else {
       log.failure("preset", saved);
     }
   }
   ImGui::EndDisabled();
-  hint("Keeps the gradient scale and the curve as a preset of your own");
-  draw_delete(log);
+  hint("Keeps the gradient scale, the curve and the bands as a preset of your own");
+  draw_delete(document, log);
 }
 
-void FilterPanel::draw_delete(MessageLog& log) {
-  const auto is_chosen = [&](const Preset& own) { return preset_ && own.name == preset_->name; };
-  if (std::ranges::none_of(own_, is_chosen)) return;
-  const std::string label = "Delete " + preset_->name;
+void FilterPanel::draw_delete(const Document& document, MessageLog& log) {
+  const auto shown = document.preset_in_force(own_);
+  if (!shown) return;
+  const std::string name = shown->preset.name;
+  if (std::ranges::none_of(own_, [&](const Preset& own) { return own.name == name; })) return;
+  const std::string label = "Delete " + name;
   const bool is_pressed = noted("Delete preset", ImGui::Button(label.c_str(), {-1, 0}));
   hint("Deletes this preset of your own. The surface stays as it is.");
   if (!is_pressed) return;
-  const Status deleted = delete_own_preset(own_presets_path(), preset_->name);
+  const Status deleted = delete_own_preset(own_presets_path(), name);
   if (!deleted.is_ok()) return log.failure("preset", deleted);
-  preset_.reset();
   read_own(log);
 }
 

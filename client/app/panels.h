@@ -23,15 +23,13 @@ class FilterPanel : public Panel {
 
  private:
   void draw_presets(Document& document, MessageLog& log);
-  void draw_strength(Document& document, MessageLog& log);
-  void draw_delete(MessageLog& log);
+  void draw_strength(Document& document, const PresetInForce& shown, MessageLog& log);
+  void draw_delete(const Document& document, MessageLog& log);
   void draw_own(const Document& document, MessageLog& log);
   void read_own(MessageLog& log);
 
-  std::optional<Preset> preset_;  // chosen last
-  double strength_ = 1;           // of it
-  std::vector<Preset> own_;       // read when the list opens
-  std::string own_name_;          // for the filter as it is
+  std::vector<Preset> own_;  // read when the list opens
+  std::string own_name_;     // for the filter as it is
 };
 
 /// The transfer curve over the histogram of curvature.

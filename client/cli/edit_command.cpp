@@ -26,7 +26,8 @@ struct EditOptions {
 
 /// The facts of a session that some edits need.
 struct EditedSession {
-  double length_unit = 1, cell_size = 1;  // file units
+  ScanLengths lengths;
+  Equaliser equaliser;
   Controls controls;
 };
 
@@ -36,6 +37,7 @@ Result<EditedSession> look_at(const EditOptions& options, Connection& connection
   if (!options.controls.is_given() && !options.filter.needs_scan()) return there;
   ASSIGN_OR_RETURN(const SessionState state, connection.state(options.session));
   there.controls = state.controls;
+  there.equaliser = state.equaliser;
   if (!options.filter.needs_scan()) return there;
   const SessionInfo& session = state.session;
   ASSIGN_OR_RETURN(const ScanDescription scan,
@@ -43,8 +45,7 @@ Result<EditedSession> look_at(const EditOptions& options, Connection& connection
   if (!scan.prepared)
     return failed_precondition("scan " + scan.scan.name + " is not prepared at depth " +
                                std::to_string(session.key.depth));
-  there.length_unit = scan.prepared->length_unit;
-  there.cell_size = scan.prepared->cell_size;
+  there.lengths = {scan.prepared->length_unit, scan.prepared->cell_size};
   return there;
 }
 
@@ -55,7 +56,7 @@ Result<std::vector<Edit>> make_edits(const EditOptions& options, const EditedSes
   const auto add = [&](auto change) {
     edits.push_back({prefix + "-" + std::to_string(edits.size()), std::move(change)});
   };
-  ASSIGN_OR_RETURN(auto changes, changes_of(options.filter, there.length_unit, there.cell_size));
+  ASSIGN_OR_RETURN(auto changes, changes_of(options.filter, there.lengths, there.equaliser));
   for (auto& change : changes) add(std::move(change));
   if (!options.stroke_file.empty()) {
     ASSIGN_OR_RETURN(std::vector<Stroke> strokes, read_stroke_file(options.stroke_file));

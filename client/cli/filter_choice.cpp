@@ -89,18 +89,21 @@ static Status add_layers(const FilterChoice& choice, Changes& changes) {
   return Status::ok();
 }
 
-Result<Changes> changes_of(const FilterChoice& choice, double length_unit, double cell_size) {
+Result<Changes> changes_of(const FilterChoice& choice, const ScanLengths& scan,
+                           const Equaliser& in_force) {
   Changes changes;
   if (!choice.preset.empty()) {
     ASSIGN_OR_RETURN(const Preset preset, find_any_preset(choice.preset));
-    const PresetFilter filter = filter_of(preset, choice.strength, length_unit, cell_size);
+    const PresetFilter filter = filter_of(preset, choice.strength, scan);
     changes.emplace_back(SetTransferCurve{filter.curve});
     changes.emplace_back(SetGradientScale{filter.beta});
+    if (choice.equaliser.bands.empty() && filter.equaliser != in_force)
+      changes.emplace_back(SetEqualiser{filter.equaliser});
   }
   if (choice.alpha) changes.emplace_back(SetTransferCurve{TransferCurve(*choice.alpha)});
   if (choice.wavelength)
     changes.emplace_back(
-        SetTransferCurve{TransferCurve(alpha_of_wavelength(length_unit, *choice.wavelength))});
+        SetTransferCurve{TransferCurve(alpha_of_wavelength(scan.length_unit, *choice.wavelength))});
   if (choice.curve) changes.emplace_back(SetTransferCurve{*choice.curve});
   if (choice.beta) changes.emplace_back(SetGradientScale{*choice.beta});
   RETURN_IF_ERROR(add_layers(choice, changes));

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "client/tools/presets.h"
 #include "common/edit/edit.h"
 
 namespace burnish {
@@ -29,9 +30,10 @@ struct FilterChoice {
 void add_filter_options(CLI::App& command, FilterChoice& choice);
 
 /// Returns the edits that the choice stands for: curve, β, palette, equaliser, colours; none for
-/// what is not given. Units: both lengths in file units. Fails: not_found for an unknown preset; as
-/// the file of the palette cannot be read.
+/// what is not given. A preset ends the bands that are in force. Fails: not_found for an unknown
+/// preset; as the file of the palette cannot be read.
 Result<std::vector<decltype(Edit::change)>> changes_of(const FilterChoice& choice,
-                                                       double length_unit, double cell_size);
+                                                       const ScanLengths& scan,
+                                                       const Equaliser& in_force);
 
 }  // namespace burnish

@@ -143,20 +143,6 @@ void Document::set_colour_filter(const ColourFilter& filter) {
   commit(SetColour{colour_filter_});
 }
 
-PresetFilter Document::filter(const Preset& preset, double strength) const {
-  return filter_of(preset, strength, length_unit(), cell_size());
-}
-
-void Document::apply(const Preset& preset, double strength) {
-  const PresetFilter applied = filter(preset, strength);
-  beta_ = applied.beta;
-  curve_.set_curve(applied.curve);
-  if (preset.brush_beta) brush_.brush.beta = *preset.brush_beta;
-  commit_curve();
-  commit_beta();
-  undo_steps_.join_last_two();
-}
-
 void Document::set_controls(const Controls& controls) {
   controls_ = controls;
   send(SetControls{controls});

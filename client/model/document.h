@@ -46,6 +46,12 @@ struct DocumentOptions {
   Clock clock = std::chrono::steady_clock::now;
 };
 
+/// A preset, and how much of it: above 0 to 1, or 0 while a drag passes it.
+struct PresetInForce {
+  Preset preset;
+  double strength;
+};
+
 /// The rims of a scan, and how many of them are held while the controls pin rims.
 struct RimCount {
   uint64_t rims = 0;
@@ -90,9 +96,17 @@ class Document {
   const CurveEditor& curve() const { return curve_; }
   void preview_curve();
   void commit_curve();
-  /// Returns the filter of a preset on this scan.
-  PresetFilter filter(const Preset& preset, double strength) const;
+  /// Makes the gradient scale, the curve and the bands those of a preset.
   void apply(const Preset& preset, double strength = 1);
+  /// During a drag of the strength of the preset in force, preview; at its end, commit.
+  void preview_strength(const Preset& preset, double strength);
+  void commit_strength(const Preset& preset);
+  /// Returns the preset that the session's values are of: the one that was applied here last, or
+  /// one of these or of presets() at full strength.
+  std::optional<PresetInForce> preset_in_force(const std::vector<Preset>& own) const;
+  /// Returns what the filter is now, for a preset of the user's own.
+  PresetFilter filter() const { return {beta_, curve_.curve(), equaliser_}; }
+  ScanLengths lengths() const { return {length_unit(), cell_size()}; }
 
   /// The bands and the palette, as the user or the session set them last. During a drag preview
   /// them; at its end, set them.
@@ -226,6 +240,7 @@ class Document {
 
   double beta_;
   CurveEditor curve_;
+  std::optional<Preset> last_preset_;
   Controls controls_;
   std::optional<RimCount> rims_;  // absent until a state with pinned rims has come
   Equaliser equaliser_;

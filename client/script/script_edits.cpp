@@ -9,21 +9,19 @@
 #include "common/edit/protect_words.h"
 
 namespace burnish {
-namespace {
 
-/// Applies NAME [STRENGTH]. The name may have several words; a number behind it is the strength.
-Status apply_preset(ScriptLine line, Document& document) {
-  const auto strength = parse_real(line.words.back());
-  if (strength.is_ok() && line.words.size() > 1) {
+Result<ChosenPreset> parse_preset(std::vector<std::string> words) {
+  const auto strength = parse_real(words.back());
+  const bool has_strength = strength.is_ok() && words.size() > 1;
+  if (has_strength) {
     RETURN_IF_ERROR(check_strength(*strength));
-    line.words.pop_back();
+    words.pop_back();
   }
-  ASSIGN_OR_RETURN(const Preset preset, find_any_preset(line.rest()));
-  document.apply(preset, strength.is_ok() ? *strength : 1);
-  return Status::ok();
+  std::string name;
+  for (const std::string& word : words) name += (name.empty() ? "" : " ") + word;
+  ASSIGN_OR_RETURN(Preset preset, find_any_preset(name));
+  return ChosenPreset{std::move(preset), has_strength ? *strength : 1};
 }
-
-}  // namespace
 
 Result<ExportLine> parse_export(const std::vector<std::string>& words) {
   ExportLine line{words[0]};
@@ -115,7 +113,8 @@ Status change_document(const ScriptLine& line, Document& document) {
     document.curve().set_curve(curve);
     document.commit_curve();
   } else if (command == "preset") {
-    RETURN_IF_ERROR(apply_preset(line, document));
+    ASSIGN_OR_RETURN(const ChosenPreset chosen, parse_preset(line.words));
+    document.apply(chosen.preset, chosen.strength);
   } else if (command == "controls") {
     ASSIGN_OR_RETURN(const Controls controls, parse_controls(line.words));
     document.set_controls(controls);

@@ -5,6 +5,7 @@
 
 #include "client/model/document.h"
 #include "client/script/script.h"
+#include "client/tools/presets.h"
 
 namespace burnish {
 
@@ -21,6 +22,14 @@ struct ExportLine {
 };
 /// Parses FILE [exact] [record]. Fails: invalid_argument that names the word.
 Result<ExportLine> parse_export(const std::vector<std::string>& words);
+
+struct ChosenPreset {
+  Preset preset;
+  double strength = 1;
+};
+/// Parses NAME [STRENGTH]. The name may have several words; a number behind it is the strength.
+/// Fails also: not_found for an unknown name.
+Result<ChosenPreset> parse_preset(std::vector<std::string> words);
 
 // Parts of lines. All fail with invalid_argument that names the word.
 Result<Equaliser> parse_bands(const std::vector<std::string>& words);

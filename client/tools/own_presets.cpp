@@ -1,26 +1,59 @@
 #include "client/tools/own_presets.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include "common/base/text.h"
 #include "common/base/text_lines.h"
 
 namespace burnish {
 
-static std::string name_of(const TextLine& line) {
+static std::string name_of(const TextLine& line, size_t first) {
   std::string name;
-  for (size_t i = 2; i < line.words.size(); ++i)
+  for (size_t i = first; i < line.words.size(); ++i)
     name += (name.empty() ? "" : " ") + std::string(line.words[i]);
   return name;
 }
 
+constexpr std::string_view kBands = "bands=";
+
+/// Parses ALPHA:GAIN,ALPHA:GAIN,... from fine to coarse.
+static Result<std::vector<PresetBand>> read_bands(std::string_view text) {
+  std::vector<PresetBand> bands;
+  while (!text.empty()) {
+    const size_t end = std::min(text.find(','), text.size());
+    ASSIGN_OR_RETURN(const Band band, parse_band(text.substr(0, end)));
+    bands.push_back({.alpha = band.size, .gain = band.gain});
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  Equaliser equaliser;  // of a scan whose L is 1
+  for (const PresetBand& band : bands) equaliser.bands.push_back({1 / band.alpha, band.gain});
+  RETURN_IF_ERROR(check_equaliser(equaliser));
+  return bands;
+}
+
 static Result<Preset> read_preset(const TextLine& line) {
-  if (line.words.size() < 3) return invalid_argument("write BETA K:A,K:A,... NAME");
-  Preset preset{name_of(line), "Your own", 1, TransferCurve(50), {}, {}};
+  const bool has_bands = line.words.size() > 2 && line.words[2].starts_with(kBands);
+  const size_t first = has_bands ? 3 : 2;
+  if (line.words.size() <= first)
+    return invalid_argument("write BETA K:A,K:A,... [bands=A:GAIN,...] NAME");
+  Preset preset{.name = name_of(line, first), .description = "Your own"};
   ASSIGN_OR_RETURN(preset.beta, parse_real(line.words[0]));
   RETURN_IF_ERROR(check_beta(preset.beta));
   ASSIGN_OR_RETURN(preset.curve, TransferCurve::parse(std::string(line.words[1])));
+  if (has_bands) {
+    ASSIGN_OR_RETURN(preset.bands,
+                     read_bands(std::string_view(line.words[2]).substr(kBands.size())));
+  }
   return preset;
+}
+
+static std::string text_of_bands(const Preset& preset) {
+  std::string text;
+  for (const PresetBand& band : preset.bands)
+    text += (text.empty() ? std::string(kBands) : ",") + shortest_text(band.alpha) + ":" +
+            shortest_text(band.gain);
+  return text.empty() ? text : text + " ";
 }
 
 Result<std::vector<Preset>> read_own_presets(const std::filesystem::path& path) {
@@ -38,7 +71,8 @@ static Status write_own_presets(const std::filesystem::path& path,
                                 const std::vector<Preset>& presets) {
   std::string text;
   for (const Preset& each : presets)
-    text += shortest_text(each.beta) + " " + each.curve.to_string() + " " + each.name + "\n";
+    text += shortest_text(each.beta) + " " + each.curve.to_string() + " " + text_of_bands(each) +
+            each.name + "\n";
   return write_own_presets_text(path, text);
 }
 
@@ -49,6 +83,8 @@ static Status check_own_name(const std::string& name) {
   const std::vector<TextLine> lines = split_lines(name);
   if (lines.empty() || name.find('#') != std::string::npos)
     return invalid_argument("the preset's name '" + name + "' is empty or has a #");
+  if (lines.front().words.front().starts_with(kBands))
+    return invalid_argument("the preset's name '" + name + "' begins with " + std::string(kBands));
   if (parse_real(lines.front().words.back()).is_ok())
     return invalid_argument("the preset's name '" + name + "' ends with a number");
   return Status::ok();

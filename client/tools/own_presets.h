@@ -10,7 +10,8 @@ namespace burnish {
 inline constexpr size_t kOwnPresetsMax = 100;
 
 /// Returns the file of the user's own presets: $XDG_CONFIG_HOME/burnish/presets, or the same below
-/// ~/.config. A line is BETA, a curve K:A,K:A,... and a name. Empty without a home.
+/// ~/.config. A line is BETA, a curve K:A,K:A,..., perhaps bands=A:GAIN,A:GAIN,... from fine to
+/// coarse, and a name. Empty without a home.
 std::filesystem::path own_presets_path();
 
 /// Returns no presets if there is no file. Fails: invalid_argument that names the line.

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "common/edit/wavelength.h"
-
 namespace burnish {
 
 // Makes a curve; high α keeps the surface in place along directions of that curvature.
@@ -24,75 +22,79 @@ static TransferCurve holding_both(double low, double high) {
   return curve_of({{-60, high}, {-5, low}, {5, low}, {60, high}});
 }
 
+// Scanners leave a ripple of a few cells. The letters of an inscription and the lines of a carving
+// are longer waves, which are a part of the scan.
 static std::vector<Preset> presets_by_purpose() {
   return {
-      {"Reduce scanner noise",
-       "Smooths the ripple of a few cells that scanners leave",
-       0,
-       TransferCurve(50),
-       6.0,
-       {}},
-      {"Soften", "Smooths fine detail; large forms stay", 0, TransferCurve(100), {}, {}},
-      {"Bring out an inscription",
-       "Enhances gentle relief; strong creases hold",
-       3,
-       holding_both(50, 500),
-       {},
-       3.0},
-      {"Deepen carving",
-       "Enhances where the surface bends inwards; ridges hold",
-       3,
-       holding_positive(25, 500),
-       {},
-       3.0},
+      {.name = "Reduce scanner noise",
+       .description = "Smooths the ripple of a few cells that scanners leave",
+       .beta = 0,
+       .wave_cells = 4},
+      {.name = "Soften",
+       .description = "Smooths fine detail; large forms stay",
+       .beta = 0,
+       .wave_cells = 10},
+      {.name = "Bring out an inscription",
+       .description = "Raises what is as wide as letters; noise and large forms do not grow",
+       .bands = {{.cells = 6, .gain = 0}, {.alpha = 100, .cells = 12, .gain = 2.5}}},
+      {.name = "Deepen carving",
+       .description = "Raises lines and reliefs up to a tenth of the scan; noise does not grow",
+       .bands = {{.cells = 6, .gain = 0}, {.alpha = 60, .cells = 12, .gain = 2}}},
   };
 }
 
 static std::vector<Preset> presets_of_paper() {
   return {
-      {"Original", "Changes nothing", 1, TransferCurve(50), {}, {}},
-      {"Sharpen all", "Enhances detail everywhere", 3, TransferCurve(50), {}, {}},
-      {"Sharpen ridges",
-       "Enhances where the surface bends outwards; grooves hold",
-       3,
-       holding_negative(25, 500),
-       {},
-       {}},
-      {"Sharpen grooves",
-       "Enhances where the surface bends inwards; ridges hold",
-       3,
-       holding_positive(25, 500),
-       {},
-       {}},
-      {"Sharpen flats",
-       "Enhances gentle relief; strong creases hold",
-       3,
-       holding_both(25, 500),
-       {},
-       {}},
-      {"Sharpen broadly", "Low fidelity: large forms too", 2, TransferCurve(10), {}, {}},
-      {"Sharpen gently", "Higher fidelity: smaller forms", 2, TransferCurve(50), {}, {}},
-      {"Smooth gently", "Higher fidelity: smaller forms", 0, TransferCurve(50), {}, {}},
-      {"Smooth broadly", "Low fidelity: large forms too", 0, TransferCurve(10), {}, {}},
-      {"Keep grooves",
-       "Smooths all but sharp concave creases",
-       0,
-       holding_negative(20, 500),
-       {},
-       {}},
-      {"Keep ridges", "Smooths all but sharp convex creases", 0, holding_positive(20, 500), {}, {}},
-      {"Keep creases",
-       "Smooths all but sharp creases of both kinds",
-       0,
-       holding_both(20, 500),
-       {},
-       {}},
-      {"Bring out by brush",
-       "Smooths everything; the brush sharpens what it touches",
-       0,
-       TransferCurve(20),
-       {},
-       3.0},
+      {.name = "Original", .description = "Changes nothing", .beta = 1, .curve = TransferCurve(50)},
+      {.name = "Sharpen all",
+       .description = "Enhances detail everywhere",
+       .beta = 3,
+       .curve = TransferCurve(50)},
+      {.name = "Sharpen ridges",
+       .description = "Enhances where the surface bends outwards; grooves hold",
+       .beta = 3,
+       .curve = holding_negative(25, 500)},
+      {.name = "Sharpen grooves",
+       .description = "Enhances where the surface bends inwards; ridges hold",
+       .beta = 3,
+       .curve = holding_positive(25, 500)},
+      {.name = "Sharpen flats",
+       .description = "Enhances gentle relief; strong creases hold",
+       .beta = 3,
+       .curve = holding_both(25, 500)},
+      {.name = "Sharpen broadly",
+       .description = "Low fidelity: large forms too",
+       .beta = 2,
+       .curve = TransferCurve(10)},
+      {.name = "Sharpen gently",
+       .description = "Higher fidelity: smaller forms",
+       .beta = 2,
+       .curve = TransferCurve(50)},
+      {.name = "Smooth gently",
+       .description = "Higher fidelity: smaller forms",
+       .beta = 0,
+       .curve = TransferCurve(50)},
+      {.name = "Smooth broadly",
+       .description = "Low fidelity: large forms too",
+       .beta = 0,
+       .curve = TransferCurve(10)},
+      {.name = "Keep grooves",
+       .description = "Smooths all but sharp concave creases",
+       .beta = 0,
+       .curve = holding_negative(20, 500)},
+      {.name = "Keep ridges",
+       .description = "Smooths all but sharp convex creases",
+       .beta = 0,
+       .curve = holding_positive(20, 500)},
+      {.name = "Keep creases",
+       .description = "Smooths all but sharp creases of both kinds",
+       .beta = 0,
+       .curve = holding_both(20, 500)},
+      {.name = "Bring out by brush",
+       .description = "Smooths everything; the brush sharpens what it touches",
+       .beta = 0,
+       .curve = TransferCurve(20),
+       .brush_beta = 3.0},
   };
 }
 
@@ -109,14 +111,6 @@ const Preset* find_preset(std::string_view name) {
   for (const Preset& preset : presets())
     if (preset.name == name) return &preset;
   return nullptr;
-}
-
-PresetFilter filter_of(const Preset& preset, double strength, double length_unit,
-                       double cell_size) {
-  const double beta = 1 + strength * (preset.beta - 1);
-  if (!preset.wave_cells) return {beta, preset.curve};
-  const double wavelength = std::max(*preset.wave_cells, kWaveCellsMin) * cell_size;
-  return {beta, TransferCurve(alpha_of_wavelength(length_unit, wavelength))};
 }
 
 Status check_strength(double strength) {

@@ -1,5 +1,6 @@
 #include "client/web/core/front.h"
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -144,6 +145,39 @@ TEST_F(FrontService, AnOpenScanSaysHowManyRimsStayAsSoonAsTheyDo) {
   EXPECT_TRUE(until([this] { return document()["rims"] == "rims: 1 of 1 stay"; }));
   line("controls off 0 off");
   EXPECT_TRUE(until([this] { return document()["rims"] == ""; }));
+}
+
+TEST_F(FrontService, ThePresetBoxSaysWhatTheSessionHas) {
+  ASSERT_TRUE(open());
+  const auto is_shown = [this](const std::string& name, double strength) {
+    return until([this, name, strength] {
+      const Json& shown = snapshot_["preset"];
+      return is_settled() && !shown.is_null() && shown["name"] == name &&
+             std::abs(shown["strength"].get<double>() - strength) < 1e-5;
+    });
+  };
+  const auto is_empty = [this] {
+    return until([this] { return is_settled() && snapshot_["preset"].is_null(); });
+  };
+  EXPECT_TRUE(is_empty());
+  line("preset Bring out an inscription 1");
+  EXPECT_TRUE(is_shown("Bring out an inscription", 1));
+  line("undo");
+  EXPECT_TRUE(is_empty());
+  EXPECT_TRUE(document()["bands"].empty());
+  line("redo");
+  EXPECT_TRUE(is_shown("Bring out an inscription", 1));
+  line("preview preset Bring out an inscription 0.5");
+  EXPECT_TRUE(until([this] { return snapshot_["preset"]["word"] == "half"; }));
+  line("preset Bring out an inscription 0.5");
+  EXPECT_TRUE(is_shown("Bring out an inscription", 0.5));
+  line("preset Sharpen gently");
+  EXPECT_TRUE(is_shown("Sharpen gently", 1));
+  EXPECT_TRUE(document()["bands"].empty());
+  line("beta 1.5");
+  EXPECT_TRUE(is_shown("Sharpen gently", 0.5));
+  line("curve 0:33");
+  EXPECT_TRUE(is_empty());
 }
 
 TEST_F(FrontService, AChangeSoonAfterASnapshotIsToldInTime) {

@@ -48,8 +48,9 @@ class Stopwatch {
 
 Status apply_edits(const FilterOptions& options, const std::vector<Edit>& edits, Session& session) {
   const PreparedMesh& prepared = session.prepared();
-  ASSIGN_OR_RETURN(const auto filter,
-                   changes_of(options.filter, prepared.length_unit, prepared.frame.cell_size));
+  ASSIGN_OR_RETURN(
+      const auto filter,
+      changes_of(options.filter, {prepared.length_unit, prepared.frame.cell_size}, {}));
   LayerCheck layers = session.edited().layers();
   for (const auto& change : filter) {
     RETURN_IF_ERROR(session.edited().check_new({"filter", change}));

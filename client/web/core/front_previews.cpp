@@ -26,6 +26,9 @@ Status preview(const std::string& what, const Words& words, Document& document) 
     ASSIGN_OR_RETURN(const double beta, parse_real(words[0]));
     RETURN_IF_ERROR(check_beta(beta));
     document.preview_beta(beta);
+  } else if (what == "preset") {
+    ASSIGN_OR_RETURN(const ChosenPreset chosen, parse_preset(words));
+    document.preview_strength(chosen.preset, chosen.strength);
   } else if (what == "fidelity") {
     ASSIGN_OR_RETURN(const double alpha, parse_real(words[0]));
     RETURN_IF_ERROR(check_alpha(alpha));

@@ -109,11 +109,11 @@ Status open_at(const FrontWords& line, Workspace& workspace) {
   return Status::ok();
 }
 
-/// Keeps the gradient scale and the curve.
+/// Keeps the gradient scale, the curve and the bands.
 Status keep_preset(const FrontWords& line, const Document& document) {
   RETURN_IF_ERROR(need_words(line, 1));
-  const Preset preset{line.rest(), "Your own", document.beta(), document.curve().curve(), {}, {}};
-  return save_own_preset(own_presets_path(), preset);
+  return save_own_preset(own_presets_path(),
+                         own_preset(line.rest(), document.filter(), document.lengths()));
 }
 
 Status set_pen(const FrontWords& line, Workspace& workspace) {

@@ -86,18 +86,28 @@ void write_messages(const MessageLog& log, const FrontState& front, JsonWriter& 
   json.close_list();
 }
 
-void write_preset(const Preset& preset, bool is_own, JsonWriter& json) {
-  json.open().text("name", preset.name).text("description", preset.description);
-  json.number("beta", preset.beta).flag("own", is_own).close();
+void write_preset(const Preset& preset, bool is_own, const Document* document, JsonWriter& json) {
+  std::string description = preset.description;
+  if (document) description += ". " + effect_of(preset, document->lengths()) + ".";
+  json.open().text("name", preset.name).text("description", description);
+  json.flag("changes", preset.beta != 1 || !preset.bands.empty()).flag("own", is_own).close();
 }
 
-void write_presets(JsonWriter& json) {
+void write_preset_in_force(const PresetInForce& shown, JsonWriter& json) {
+  json.open().text("name", shown.preset.name).number("strength", shown.strength);
+  json.text("word", std::string(strength_word(shown.strength))).close();
+}
+
+void write_presets(const Document* document, JsonWriter& json) {
+  const auto read = read_own_presets(own_presets_path());
+  const std::vector<Preset> own = read.is_ok() ? *read : std::vector<Preset>();
   json.key("presets").open_list();
-  const auto own = read_own_presets(own_presets_path());
-  if (own.is_ok())
-    for (const Preset& preset : *own) write_preset(preset, true, json);
-  for (const Preset& preset : presets()) write_preset(preset, false, json);
+  for (const Preset& preset : own) write_preset(preset, true, document, json);
+  for (const Preset& preset : presets()) write_preset(preset, false, document, json);
   json.close_list();
+  json.key("preset");
+  const auto shown = document ? document->preset_in_force(own) : std::nullopt;
+  shown ? write_preset_in_force(*shown, json) : void(json.null());
 }
 
 }  // namespace
@@ -108,7 +118,7 @@ std::string snapshot_of(Workspace& workspace, FrontState& state) {
   write_library(workspace, json);
   write_activities(workspace, state, json);
   write_messages(workspace.log, state, json);
-  write_presets(json);
+  write_presets(workspace.document(), json);
   json.flag("recording", state.script.has_value());
   json.key("document");
   workspace.document() ? write_document(workspace, state, json) : void(json.null());

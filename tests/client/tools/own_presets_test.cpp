@@ -11,7 +11,10 @@ namespace {
 using testing::HasSubstr;
 
 Preset own(const std::string& name, double beta) {
-  return {name, "", beta, *TransferCurve::create({{-5, 20}, {5, 200}}), {}, {}};
+  return {.name = name,
+          .description = "",
+          .beta = beta,
+          .curve = *TransferCurve::create({{-5, 20}, {5, 200}})};
 }
 
 TEST(OwnPresets, AreThereAgainAndReplacedByName) {
@@ -27,6 +30,20 @@ TEST(OwnPresets, AreThereAgainAndReplacedByName) {
   EXPECT_EQ(presets[1].name, "faint lines");
   EXPECT_EQ(presets[1].beta, 2.25);
   EXPECT_EQ(presets[1].curve, own("", 1).curve);
+}
+
+TEST(OwnPresets, KeepBandsForScansOfAnySize) {
+  const TemporaryFolder folder;
+  const ScanLengths scan{10, 0.1};
+  const PresetFilter values{1, TransferCurve(50), {{{0.8, 0}, {4, 2.5}}}};
+  ASSERT_TRUE(save_own_preset(folder / "presets", own_preset("faint lines", values, scan)).is_ok());
+  const Preset read = read_own_presets(folder / "presets")->at(0);
+  EXPECT_EQ(read.name, "faint lines");
+  EXPECT_EQ(strength_of(read, values, scan), 1);
+  const PresetFilter larger = filter_of(read, 1, {20, 0.3});
+  ASSERT_EQ(larger.equaliser.bands.size(), 2u);
+  EXPECT_NEAR(larger.equaliser.bands[1].size, 8, 1e-9);
+  EXPECT_EQ(larger.equaliser.bands[1].gain, 2.5);
 }
 
 TEST(OwnPresets, AreDeletedByName) {
@@ -51,6 +68,7 @@ TEST(OwnPresets, HaveNamesThatScriptsCanSay) {
   EXPECT_THAT(refusal("Soften"), HasSubstr("built in"));
   EXPECT_THAT(refusal("stone 3"), HasSubstr("number"));
   EXPECT_THAT(refusal("stone #3"), HasSubstr("#"));
+  EXPECT_THAT(refusal("bands=3"), HasSubstr("bands="));
   EXPECT_THAT(refusal(""), HasSubstr("empty"));
 }
 

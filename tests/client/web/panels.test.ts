@@ -66,9 +66,22 @@ test("PresetsHaveAStrength", () =>
   bench.visitSession(async (visit) => {
     await visit.page.getByRole("combobox", { name: "Presets" }).selectOption("Sharpen all");
     await visit.sent("preset Sharpen all 1");
+    await visit.change({ preset: { name: "Sharpen all", strength: 1, word: "all" } });
+    await visit.page.getByText("all of the preset").waitFor();
     await slider(visit, "Strength of the preset").fill("500");
-    await visit.sent("preview beta 2");
+    await visit.sent("preview preset Sharpen all 0.5");
     await visit.sent("preset Sharpen all 0.5");
+  }));
+
+test("PresetBoxSaysWhatTheSessionHas", () =>
+  bench.visitSession(async (visit) => {
+    const box = visit.page.getByRole("combobox", { name: "Presets" });
+    await box.selectOption("Sharpen all");
+    await visit.change({ preset: { name: "Sharpen all", strength: 1, word: "all" } });
+    await slider(visit, "Strength of the preset").waitFor();
+    await visit.change({ preset: null });
+    await slider(visit, "Strength of the preset").waitFor({ state: "detached" });
+    assert.equal(await box.inputValue(), "");
   }));
 
 test("WavelengthIsSentAsFidelity", () =>
@@ -85,11 +98,15 @@ test("OwnPresetIsKeptChosenAndDeleted", () =>
     await panel.getByRole("textbox", { name: "Name for this filter" }).fill("faint lines");
     await panel.getByRole("button", { name: "Keep" }).click();
     await visit.sent("preset_keep faint lines");
-    await visit.change({ presets: [{ name: "faint lines", description: "Your own", beta: 2, own: true }, ...snapshot.presets] });
+    await visit.change({
+      presets: [{ name: "faint lines", description: "Your own", changes: true, own: true }, ...snapshot.presets],
+      preset: { name: "faint lines", strength: 1, word: "all" },
+    });
     await panel.getByRole("slider", { name: "Strength of the preset" }).waitFor();
     assert.equal(await panel.getByRole("combobox", { name: "Presets" }).inputValue(), "faint lines");
     await panel.getByRole("button", { name: "Delete faint lines" }).click();
     await visit.sent("preset_delete faint lines");
+    await visit.change({ presets: snapshot.presets, preset: null });
     assert.equal(await panel.getByRole("combobox", { name: "Presets" }).inputValue(), "");
   }));
 

@@ -131,9 +131,10 @@ export const snapshot: Snapshot = {
   activities: [],
   messages: [],
   presets: [
-    { name: "Reduce scanner noise", description: "Smooths the ripple of a few cells that scanners leave", beta: 0, own: false },
-    { name: "Sharpen all", description: "Enhances detail everywhere", beta: 3, own: false },
+    { name: "Reduce scanner noise", description: "Smooths the ripple of a few cells that scanners leave", changes: true, own: false },
+    { name: "Sharpen all", description: "Enhances detail everywhere", changes: true, own: false },
   ],
+  preset: null,
   recording: false,
   document: null,
 };

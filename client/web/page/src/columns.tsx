@@ -6,7 +6,7 @@ import { ColourPanel } from "./colour_panel";
 import { Section, Figures } from "./controls";
 import { CurvePanel } from "./curve_panel";
 import { EqualiserPanel } from "./equaliser_panel";
-import { FilterPanel, type PanelProps } from "./filter_panel";
+import { FilterPanel, type PanelProps, type PresetProps } from "./filter_panel";
 import { Gradual } from "./gradual";
 import { HistoryPanel } from "./history_panel";
 import { LightPanel } from "./light_panel";
@@ -14,7 +14,6 @@ import { LimitsPanel } from "./limits_panel";
 import { NumbersPanel } from "./numbers_panel";
 import { PalettePanel } from "./palette_panel";
 import { PeoplePanel } from "./people_panel";
-import type { Preset } from "./snapshot";
 import { CameraPanel, ViewPanel } from "./view_panel";
 
 const kWide = "(min-width: 960px)";
@@ -33,13 +32,13 @@ export function useIsWide(): boolean {
   return wide;
 }
 
-export function EditColumn(props: PanelProps & { presets: Preset[]; children?: preact.ComponentChildren }) {
-  const { document, presets } = props;
+export function EditColumn(props: PresetProps & { children?: preact.ComponentChildren }) {
+  const { document, presets, preset } = props;
   return (
     <aside class="column left" aria-label="Edit">
       <Gradual>
         <Section name="Filter">
-          <FilterPanel {...{ document, presets }} />
+          <FilterPanel {...{ document, presets, preset }} />
         </Section>
         <Section name="Transfer curve α(κ)">
           <CurvePanel document={document} />

@@ -11,6 +11,7 @@ export interface FrontCommand {
 /** Lines that only a front needs. The core reads them in client/web/core/front_commands.cpp. */
 export const frontCommands: readonly FrontCommand[] = [
   { form: "preview beta X", means: "shows a gradient scale during a drag; `beta X` ends it" },
+  { form: "preview preset NAME STRENGTH", means: "shows a strength of a preset during a drag; `preset` ends it" },
   { form: "preview fidelity ALPHA", means: "shows a fidelity during a drag; `fidelity ALPHA` ends it" },
   { form: "preview bands [SIZE:GAIN]...", means: "shows bands during a drag; `bands` ends it" },
   { form: "preview palette CURVE RRGGBB NAME [; ...]", means: "shows a palette during a drag" },
@@ -39,7 +40,7 @@ export const frontCommands: readonly FrontCommand[] = [
   { form: "section close", means: "forgets the section" },
   { form: "section save svg|csv", means: "downloads the section as a drawing or a table" },
   { form: "ruler clear", means: "forgets the ruler's points" },
-  { form: "preset_keep NAME", means: "keeps gradient scale and curve as a preset of one's own" },
+  { form: "preset_keep NAME", means: "keeps gradient scale, curve and bands as a preset of one's own" },
   { form: "preset_delete NAME", means: "deletes a preset of one's own" },
   { form: "pen on|off", means: "lets a pen's pressure rule the strength" },
   { form: "unit [NAME]", means: "names the unit of the scan's coordinates for everybody" },

@@ -1,11 +1,10 @@
 // Gradient scale, wavelength and presets: the edit outside of painted areas.
 
-import { useState } from "preact/hooks";
 import { command } from "./commands";
 import { useLink } from "./context";
 import { Button, Choice, NameField, Title } from "./controls";
 import { Slider, betaScale, betaTone, linear, logarithmic } from "./slider";
-import type { Document, Preset } from "./snapshot";
+import type { Document, Preset, PresetInForce } from "./snapshot";
 import { fixed, short } from "./words";
 
 const kAlphaMin = 0.01;
@@ -24,61 +23,51 @@ export interface PanelProps {
 
 export const isViewer = (document: Document) => document.role === "viewer";
 
-export function FilterPanel({ document, presets }: PanelProps & { presets: Preset[] }) {
-  const [name, setName] = useState("");
-  const chosen = presets.find((one) => one.name === name);
+export interface PresetProps extends PanelProps {
+  presets: Preset[];
+  /** The one in force. */
+  preset: PresetInForce | null;
+}
+
+export function FilterPanel(props: PresetProps) {
   return (
     <>
-      <Presets {...{ document, presets, chosen }} onChoose={setName} />
-      <Beta document={document} />
-      <Wavelength document={document} />
-      <OwnPreset {...{ document, presets, chosen }} onChoose={setName} />
+      <Presets {...props} />
+      <Beta document={props.document} />
+      <Wavelength document={props.document} />
+      <OwnPreset {...props} />
     </>
   );
 }
 
-interface PresetProps extends PanelProps {
-  presets: Preset[];
-  chosen: Preset | undefined;
-  onChoose: (name: string) => void;
-}
-
-function Presets({ document, presets, chosen, onChoose }: PresetProps) {
+function Presets({ document, presets, preset }: PresetProps) {
   const link = useLink();
   const disabled = isViewer(document);
-  const [strength, setStrength] = useState(1);
+  const shown = preset && presets.find((one) => one.name === preset.name);
   const choose = (name: string) => {
-    onChoose(name);
-    setStrength(1);
     if (name) link.send(command.preset(name, 1));
   };
   return (
     <>
       <Choice
         name="Presets"
-        value={chosen?.name ?? ""}
-        hint={chosen?.description}
+        value={shown?.name ?? ""}
+        hint={shown?.description}
         disabled={disabled}
         choices={[["", "Presets"] as const, ...presets.map((one) => [one.name, one.name] as const)]}
         onChange={choose}
       />
-      {chosen && (
+      {preset && shown?.changes && (
         <>
-          <Title text="Strength" note="of the preset" />
+          <Title text="Strength" note={`${preset.word} of the preset`} hint={shown.description} />
           <Slider
             name="Strength of the preset"
-            value={strength}
+            value={preset.strength}
             scale={linear(0, 1)}
             format={fixed(2)}
             disabled={disabled}
-            onMove={(value) => {
-              setStrength(value);
-              link.send(command.preview(command.beta(1 + value * (chosen.beta - 1))));
-            }}
-            onDone={(value) => {
-              setStrength(value);
-              link.send(command.preset(chosen.name, value));
-            }}
+            onMove={(value) => link.send(command.preview(command.preset(preset.name, value)))}
+            onDone={(value) => link.send(command.preset(preset.name, value))}
           />
         </>
       )}
@@ -87,29 +76,24 @@ function Presets({ document, presets, chosen, onChoose }: PresetProps) {
 }
 
 /** Keeps what is set under a name, and deletes it again. */
-function OwnPreset({ document, chosen, onChoose }: PresetProps) {
+function OwnPreset({ document, presets, preset }: PresetProps) {
   const link = useLink();
+  const own = preset && presets.find((one) => one.own && one.name === preset.name);
   return (
     <>
       <NameField
         name="Name for this filter"
         label="name for this filter"
         button="Keep"
-        hint="Keeps the gradient scale and the curve as a preset of your own"
+        hint="Keeps the gradient scale, the curve and the bands as a preset of your own"
         disabled={isViewer(document)}
-        onTake={(name) => {
-          link.send(command.presetKeep(name));
-          onChoose(name);
-        }}
+        onTake={(name) => link.send(command.presetKeep(name))}
       />
-      {chosen?.own && (
+      {own && (
         <Button
-          label={`Delete ${chosen.name}`}
+          label={`Delete ${own.name}`}
           hint="Deletes this preset of your own. The surface stays as it is."
-          onClick={() => {
-            link.send(command.presetDelete(chosen.name));
-            onChoose("");
-          }}
+          onClick={() => link.send(command.presetDelete(own.name))}
         />
       )}
     </>

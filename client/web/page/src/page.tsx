@@ -59,7 +59,7 @@ export function Page({ link }: { link: EngineLink }) {
       />
       <div class={document ? (isWide ? "session wide" : "session") : "no-session"}>
         {document && (
-          <EditColumn document={document} presets={state.snapshot?.presets ?? []}>
+          <EditColumn document={document} presets={state.snapshot?.presets ?? []} preset={state.snapshot?.preset ?? null}>
             {!isWide && <ShowSections {...{ document, figures }} />}
           </EditColumn>
         )}

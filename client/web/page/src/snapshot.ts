@@ -7,6 +7,8 @@ export interface Snapshot {
   /** Oldest first, without the dismissed ones. */
   messages: Message[];
   presets: Preset[];
+  /** The preset that the open session's values are of; null if they are of none. */
+  preset: PresetInForce | null;
   /** Commands are being written to a script. */
   recording: boolean;
   /** The session that is open; null on the start page. */
@@ -67,10 +69,20 @@ export interface Message {
 
 export interface Preset {
   name: string;
+  /** Its purpose, and what it does to the waves of the open session's scan. */
   description: string;
-  beta: number;
+  /** It does something, so it has a strength. */
+  changes: boolean;
   /** The user has made it; the browser keeps it. */
   own: boolean;
+}
+
+export interface PresetInForce {
+  name: string;
+  /** Above 0 to 1; 0 while a drag passes it. */
+  strength: number;
+  /** "a little", "half", "most", "all". */
+  word: string;
 }
 
 export interface CurvePoint {

@@ -1,0 +1,49 @@
+// Presets, and which of them is in force.
+
+#include "client/model/document.h"
+
+namespace burnish {
+
+void Document::apply(const Preset& preset, double strength) {
+  PresetFilter applied = filter_of(preset, strength, lengths());
+  last_preset_ = preset;
+  beta_ = applied.beta;
+  curve_.set_curve(applied.curve);
+  if (preset.brush_beta) brush_.brush.beta = *preset.brush_beta;
+  const bool has_bands = !applied.equaliser.bands.empty() || !equaliser_.bands.empty();
+  // The first edit ends a drag, so it is of the value that the drag moved.
+  if (has_bands) set_equaliser(std::move(applied.equaliser));
+  commit_curve();
+  commit_beta();
+  undo_steps_.join_last_two();
+  if (has_bands) undo_steps_.join_last_two();
+}
+
+void Document::preview_strength(const Preset& preset, double strength) {
+  PresetFilter passed = filter_of(preset, strength, lengths());
+  if (preset.bands.empty()) return preview_beta(passed.beta);
+  preview_equaliser(std::move(passed.equaliser));
+}
+
+void Document::commit_strength(const Preset& preset) {
+  if (preset.bands.empty()) return commit_beta();
+  set_equaliser(equaliser_);
+}
+
+std::optional<PresetInForce> Document::preset_in_force(const std::vector<Preset>& own) const {
+  const PresetFilter now = filter();
+  if (last_preset_) {
+    if (const auto strength = strength_of(*last_preset_, now, lengths()))
+      return PresetInForce{*last_preset_, *strength};
+    const PresetFilter none = filter_of(*last_preset_, 0, lengths());
+    const bool is_dragged = !gesture_.empty();
+    if (is_dragged && now.beta == none.beta && now.equaliser == none.equaliser)
+      return PresetInForce{*last_preset_, 0};
+  }
+  for (const auto* all : {&own, &presets()})
+    for (const Preset& preset : *all)
+      if (strength_of(preset, now, lengths()) == 1) return PresetInForce{preset, 1};
+  return std::nullopt;
+}
+
+}  // namespace burnish

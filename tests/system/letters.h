@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "common/mesh/triangle_mesh.h"
+
+namespace burnish {
+
+/// How well the inscription of a tablet can be told from the noise. Units: of the tablet.
+struct LetterContrast {
+  double contrast = 0;      ///< how much lower the middles of strokes lie than the stone beside
+  double noise = 0;         ///< deviation of what is left of the scanner's noise
+  double largest_move = 0;  ///< of any vertex
+  double ratio() const { return contrast / noise; }
+};
+
+/// A generated tablet as scanned, and the same stone without the scanner's noise.
+class NoisyTablet {
+ public:
+  /// `noise`: its deviation over the mean edge.
+  NoisyTablet(uint64_t vertices, double noise);
+
+  const TriangleMesh& noisy() const { return noisy_; }
+  const TriangleMesh& clean() const { return clean_; }
+
+  /// Measures what a filter made of both. Noise is where they differ, along the face's normal.
+  LetterContrast contrast(const std::vector<Vec3d>& noisy_edited,
+                          const std::vector<Vec3d>& clean_edited) const;
+
+ private:
+  TriangleMesh noisy_, clean_;
+  std::vector<uint32_t> letters_, beside_;  // vertices
+};
+
+}  // namespace burnish
