@@ -34,6 +34,12 @@ MeshCurvature::MeshCurvature(const MeshView& mesh, const MeshStatistics& statist
   to_file_units_ = (is_inside_out ? -1 : 1) / unit_;
 }
 
+Vec3d MeshCurvature::normal_of(uint32_t triangle) const {
+  Vec3d sum = Vec3d::Zero();
+  for (uint32_t v : mesh_.triangles[triangle]) sum += vertices_.normals[v];
+  return sum.normalized();
+}
+
 TriangleCurvature MeshCurvature::of(uint32_t index) const {
   const Triangle& triangle = mesh_.triangles[index];
   const TriangleShape shape = make_triangle_shape(mesh_, triangle, unit_);

@@ -31,6 +31,10 @@ class MeshCurvature {
   /// Threads may ask at the same time.
   TriangleCurvature of(uint32_t triangle) const;
 
+  /// Returns the mean normal of a triangle's vertices: noise of a vertex turns it little. A unit
+  /// vector as the winding tells, or zero if they cancel out.
+  Vec3d normal_of(uint32_t triangle) const;
+
  private:
   MeshView mesh_;
   double unit_;

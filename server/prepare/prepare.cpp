@@ -17,6 +17,7 @@
 #include "server/prepare/integrate_cells.h"
 #include "server/prepare/phase_clock.h"
 #include "server/prepare/surface.h"
+#include "server/prepare/thin_walls.h"
 
 namespace burnish {
 
@@ -103,6 +104,7 @@ class Preparation {
     prepared->curvature_radius = scan_.options.curvature_radius;
     prepared->has_double_positions = scan_.mesh.has_double_positions;
     prepared->histogram = make_histogram(arrays_->cells.curvature, space());
+    prepared->walls = walls_;
     arrays_->mesh = std::move(owner);
     point_at(*prepared, scan_.mesh, std::move(arrays_));
     clock_.end("evaluation");
@@ -140,8 +142,16 @@ class Preparation {
       ASSIGN_OR_RETURN(arrays_->sheets, find_cell_sheets(surface, pieces_, cells.cells,
                                                          cells.passages, space(), admit));
     }
+    find_walls(surface);
     clock_.end("integrals");
     return Status::ok();
+  }
+
+  // The volume of an open surface is that between it and its middle: it tells which side is out.
+  void find_walls(const Surface& surface) {
+    const MeshStatistics& statistics = scan_.statistics;
+    const double area = statistics.area / (frame_.cell_size * frame_.cell_size);
+    walls_ = find_thin_walls(surface, pieces_, area, statistics.signed_volume < 0);
   }
 
   const ScanToPrepare& scan_;
@@ -152,6 +162,7 @@ class Preparation {
   const double length_unit_;
   ScratchArray<Vec3d> positions_;
   ScratchArray<CellPiece> pieces_;
+  ThinWalls walls_;
   std::shared_ptr<PreparedArrays> arrays_ = std::make_shared<PreparedArrays>();
 };
 

@@ -176,6 +176,9 @@ Status check_scalars(const PreparedHeader& header) {
   RETURN_IF_ERROR(check_range("mean edge length", header.mean_edge_length, 0, max));
   RETURN_IF_ERROR(check_range("double positions", header.has_double_positions, 0, 1));
   RETURN_IF_ERROR(check_range("histogram range", header.histogram_range, least, max));
+  RETURN_IF_ERROR(check_range("share of thin walls", header.walls_share, 0, 1));
+  RETURN_IF_ERROR(
+      check_range("depth of thin walls", static_cast<double>(header.walls_depth), 0, kDepthMax));
   for (int axis = 0; axis < 3; ++axis) {
     RETURN_IF_ERROR(check_range("grid origin", header.grid_origin[axis], -max, max));
     RETURN_IF_ERROR(check_range("box", header.box_min[axis], -max, max));

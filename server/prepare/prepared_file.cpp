@@ -87,6 +87,8 @@ PreparedHeader make_prepared_header(const PreparedMesh& prepared) {
   header.has_double_positions = prepared.has_double_positions;
   header.histogram_range = prepared.histogram.range;
   header.histogram_area = prepared.histogram.area;
+  header.walls_share = prepared.walls.share;
+  header.walls_depth = static_cast<uint64_t>(prepared.walls.depth);
   header.sections = {entry_of(PreparedSection::kVertices, prepared.vertices),
                      entry_of(PreparedSection::kTriangles, prepared.triangles),
                      entry_of(PreparedSection::kColours, prepared.colours),
@@ -114,6 +116,10 @@ static std::span<const T> elements_of(PreparedSection id, const PreparedHeader& 
   return {reinterpret_cast<const T*>(file.data() + entry.offset), entry.count};
 }
 
+static ThinWalls walls_of(const PreparedHeader& header) {
+  return {header.walls_share, static_cast<int>(header.walls_depth)};
+}
+
 static PreparedMesh mesh_over(const PreparedHeader& header, std::span<const uint8_t> file) {
   PreparedMesh mesh;
   mesh.frame = {to_vector(header.grid_origin), header.cell_size, static_cast<int>(header.depth)};
@@ -122,6 +128,7 @@ static PreparedMesh mesh_over(const PreparedHeader& header, std::span<const uint
   mesh.statistics = get_statistics(header);
   mesh.has_double_positions = header.has_double_positions != 0;
   mesh.histogram = {header.histogram_range, header.histogram_area};
+  mesh.walls = walls_of(header);
   mesh.vertices = elements_of<Vec3d>(PreparedSection::kVertices, header, file);
   mesh.triangles = elements_of<Triangle>(PreparedSection::kTriangles, header, file);
   mesh.colours = elements_of<Rgba8>(PreparedSection::kColours, header, file);
@@ -155,6 +162,7 @@ PreparedSummary summary_of(const PreparedHeader& header) {
   summary.length_unit = header.length_unit;
   summary.cell_size = header.cell_size;
   summary.histogram = {header.histogram_range, header.histogram_area};
+  summary.walls = walls_of(header);
   summary.vertices = count(PreparedSection::kVertices);
   summary.cells = count(PreparedSection::kCells);
   for (const SectionEntry& entry : header.sections)

@@ -14,7 +14,7 @@ namespace burnish {
 //
 //   offset 0     PreparedHeader: magic, format version, length of the whole file, the scalars of
 //                PreparedMesh, the table of sections, and last a checksum of all of that
-//   offset 1024  the sections in the order of PreparedSection, each at the next multiple of 64
+//   offset 1088  the sections in the order of PreparedSection, each at the next multiple of 64
 //                bytes, as plain arrays of the structs that PreparedMesh shows; zeros in between
 //
 //   section      element             bytes   count
@@ -82,10 +82,12 @@ struct PreparedHeader {
   uint32_t has_double_positions;
   float histogram_range;
   std::array<float, CurvatureHistogram::kBins> histogram_area;
+  double walls_share;
+  uint64_t walls_depth;
   std::array<SectionEntry, kPreparedSections> sections;
   uint64_t checksum;  ///< of the bytes before it
 };
-static_assert(sizeof(PreparedHeader) == 1048, "no padding: every byte is under the checksum");
+static_assert(sizeof(PreparedHeader) == 1064, "no padding: every byte is under the checksum");
 
 inline uint64_t align_section(uint64_t offset) {
   return (offset + kSectionAlignment - 1) / kSectionAlignment * kSectionAlignment;

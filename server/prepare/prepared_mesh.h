@@ -15,6 +15,7 @@
 #include "common/grid/cell_corners.h"
 #include "common/grid/grid.h"
 #include "common/mesh/statistics.h"
+#include "common/mesh/thin_walls.h"
 
 namespace burnish {
 
@@ -75,6 +76,7 @@ class PreparedMesh {
   MeshStatistics statistics;
   bool has_double_positions = false;
   CurvatureHistogram histogram;
+  ThinWalls walls;
 
   std::span<const Vec3d> vertices;
   std::span<const Triangle> triangles;
@@ -117,6 +119,7 @@ struct PreparedSummary {
   double length_unit = 1;
   double cell_size = 1;
   CurvatureHistogram histogram;
+  ThinWalls walls;
   uint64_t vertices = 0;
   uint64_t cells = 0;
   uint64_t byte_count = 0;  ///< of the mesh in memory

@@ -45,6 +45,7 @@ struct Sample {
     mesh.has_double_positions = true;
     mesh.histogram.range = 40;
     mesh.histogram.area[5] = 0.75f;
+    mesh.walls = {0.25, 9};
     mesh.vertices = vertices;
     mesh.triangles = triangles;
     mesh.colours = colours;
@@ -123,6 +124,8 @@ TEST_F(PreparedFile, MapsBackEveryBit) {
   EXPECT_TRUE(back.has_double_positions);
   EXPECT_EQ(back.histogram.range, mesh.histogram.range);
   EXPECT_EQ(back.histogram.area, mesh.histogram.area);
+  EXPECT_EQ(back.walls.share, mesh.walls.share);
+  EXPECT_EQ(back.walls.depth, mesh.walls.depth);
   EXPECT_EQ(back.byte_count(), mesh.byte_count());
 }
 
@@ -281,6 +284,8 @@ TEST_F(PreparedFile, ScalarsOutsideTheirRangeAreRefused) {
   expect_damage(status_of_header([&](PreparedHeader& h) { h.box_max[2] = nan; }), "box");
   expect_damage(status_of_header([](PreparedHeader& h) { h.has_double_positions = 2; }), "double");
   expect_damage(status_of_header([](PreparedHeader& h) { h.histogram_area[9] = -1; }), "histogram");
+  expect_damage(status_of_header([&](PreparedHeader& h) { h.walls_share = nan; }), "share of thin");
+  expect_damage(status_of_header([](PreparedHeader& h) { h.walls_depth = 13; }), "depth of thin");
 }
 
 TEST_F(PreparedFile, AFailedWriteLeavesTheOldFile) {
