@@ -13,8 +13,8 @@ struct ThinWalls {
   int depth = 0;
 };
 
-/// Less is not told: a sample of the surface does not know it well, and folds of noise are so.
-inline constexpr double kThinWallShareMin = 0.01;
+/// Less is not told: a sample does not know it well, and raw scans and noise have about as much.
+inline constexpr double kThinWallShareMin = 0.02;
 
 /// Says in a sentence for users what the walls mean for edits; empty where nothing is told.
 std::string describe(const ThinWalls& walls);
