@@ -94,6 +94,11 @@ static void draw_controls(Document& document, MessageLog& log) {
     faint_text("%s", rims.c_str());
     hint("The others are small holes, or run over another piece");
   }
+  if (const std::string walls = walls_text(document); !walls.empty()) {
+    ImGui::PushTextWrapPos(0);
+    faint_text("%s", walls.c_str());
+    ImGui::PopTextWrapPos();
+  }
   draw_cap(document, log);
 }
 

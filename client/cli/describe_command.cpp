@@ -54,6 +54,8 @@ void print(const PreparedDescription& prepared) {
               prepared.length_unit);
   std::printf("%-22s -%g..%g\n", "  curvature range", prepared.histogram_range,
               prepared.histogram_range);
+  if (const std::string walls = describe(prepared.walls); !walls.empty())
+    std::printf("  %s\n", walls.c_str());
 }
 
 Status run(const DescribeOptions& options) {

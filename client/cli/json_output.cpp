@@ -14,6 +14,11 @@ static Json key_to_json(const PreparedKey& key) {
   return {{"depth", key.depth}, {"curvature_radius", key.curvature_radius}};
 }
 
+static Json to_json(const ThinWalls& walls) {
+  if (walls.share <= 0) return nullptr;
+  return {{"share", walls.share}, {"depth", walls.depth > 0 ? Json(walls.depth) : Json()}};
+}
+
 Json to_json(const ScanInfo& scan) {
   const MeshStatistics& s = scan.statistics;
   Json json = {{"id", scan.id},
@@ -55,6 +60,7 @@ Json to_json(const ScanDescription& description) {
   entry["cells"] = prepared.cells;
   entry["memory_bytes"] = prepared.memory_bytes;
   entry["histogram"] = {{"range", prepared.histogram_range}, {"area", prepared.histogram}};
+  entry["walls"] = to_json(prepared.walls);
   json["described"] = entry;
   return json;
 }
@@ -93,6 +99,7 @@ Json to_json(const SessionState& state) {
                       {"cap", state.controls.cap},
                       {"keep_volume", state.controls.keep_volume}};
   json["rims"] = {{"number", state.rims}, {"held", state.rims_held}};
+  json["walls"] = to_json(state.walls);
   json["bands"] = to_json(state.equaliser);
   json["palette"] = to_json(state.palette);
   json["colours"] = {{"beta", state.colour.beta}, {"alpha", state.colour.alpha}};

@@ -53,6 +53,8 @@ Status show(Connection& connection, const std::string& name, bool json) {
     std::printf("%-14s %llu of %llu stay\n", "rims",
                 static_cast<unsigned long long>(state.rims_held),
                 static_cast<unsigned long long>(state.rims));
+  if (const std::string walls = describe(state.walls); !walls.empty())
+    std::printf("%s\n", walls.c_str());
   std::printf("%-14s %s\n", "equaliser", text_of(state.equaliser).c_str());
   std::printf("%-14s %s\n", "palette", text_of(state.palette).c_str());
   std::printf("%-14s %s\n", "colours", text_of(state.colour).c_str());

@@ -69,6 +69,10 @@ std::string rims_text(const Document& document) {
   return "rims: " + std::to_string(count->held) + " of " + std::to_string(count->rims) + " stay";
 }
 
+std::string walls_text(const Document& document) {
+  return describe(document.opened().state.walls);
+}
+
 std::vector<Figure> ruler_figures(const Document& document) {
   const Ruler& ruler = document.measuring().ruler;
   const auto length = ruler.length();

@@ -26,6 +26,9 @@ std::vector<Figure> deviation_figures(const Document& document);
 /// Says how many of the scan's rims stay; empty where none is known.
 std::string rims_text(const Document& document);
 
+/// Says how much of the scan is on thin walls; empty where nothing is told.
+std::string walls_text(const Document& document);
+
 /// The ruler's distances; empty until it has two ends.
 std::vector<Figure> ruler_figures(const Document& document);
 

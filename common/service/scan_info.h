@@ -9,6 +9,7 @@
 #include "common/base/status.h"
 #include "common/mesh/mesh_io.h"
 #include "common/mesh/statistics.h"
+#include "common/mesh/thin_walls.h"
 
 namespace burnish {
 
@@ -48,6 +49,7 @@ struct PreparedDescription {
   uint64_t memory_bytes = 0;     ///< shared by its sessions
   float histogram_range = 0;     ///< bins are even in asinh(κ) from -range to range, user units
   std::vector<float> histogram;  ///< fraction of the area
+  ThinWalls walls;
 };
 
 struct ScanDescription {

@@ -13,6 +13,7 @@
 #include "common/edit/transfer_curve.h"
 #include "common/measure/deviation.h"
 #include "common/mesh/mesh_io.h"
+#include "common/mesh/thin_walls.h"
 #include "common/service/scan_info.h"
 
 namespace burnish {
@@ -64,6 +65,7 @@ struct SessionState {
   ColourFilter colour;
   uint64_t rims = 0;       ///< of the scan, while the controls pin them
   uint64_t rims_held = 0;  ///< of these
+  ThinWalls walls;         ///< of the scan at this depth
 };
 
 /// What a cell of the finest depth can be asked for. α and κ in user units.

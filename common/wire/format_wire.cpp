@@ -66,6 +66,17 @@ Vec3d from_wire(const v1::Point& point) {
   return {point.x(), point.y(), point.z()};
 }
 
+v1::ThinWalls to_wire(const ThinWalls& walls) {
+  v1::ThinWalls message;
+  message.set_share(walls.share);
+  message.set_depth(walls.depth);
+  return message;
+}
+
+ThinWalls from_wire(const v1::ThinWalls& message) {
+  return {message.share(), message.depth()};
+}
+
 Result<PreparedKey> prepared_key_from_wire(int depth, double curvature_radius) {
   if (depth != 0 && (depth < kDepthMin || depth > kDepthMax))
     return invalid_argument("depth " + std::to_string(depth) + " is outside " +

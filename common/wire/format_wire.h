@@ -5,6 +5,7 @@
 #include "burnish/v1/common.pb.h"
 #include "common/base/types.h"
 #include "common/mesh/mesh_io.h"
+#include "common/mesh/thin_walls.h"
 #include "common/service/scan_info.h"
 
 namespace burnish {
@@ -19,6 +20,9 @@ void set_chunk(uint64_t offset, std::string_view piece, v1::Chunk& chunk);
 
 v1::Point to_wire(const Vec3d& point);
 Vec3d from_wire(const v1::Point& point);
+
+v1::ThinWalls to_wire(const ThinWalls& walls);
+ThinWalls from_wire(const v1::ThinWalls& message);
 
 /// A depth (0 allowed) and an averaging radius as they come in a request; a radius below
 /// kCurvatureRadiusMin averages nothing and counts as 0.

@@ -116,6 +116,7 @@ static v1::PreparedDescription to_wire(const PreparedDescription& prepared) {
   message.set_memory_bytes(prepared.memory_bytes);
   message.set_histogram_range(prepared.histogram_range);
   message.mutable_histogram()->Assign(prepared.histogram.begin(), prepared.histogram.end());
+  if (prepared.walls.share > 0) *message.mutable_walls() = to_wire(prepared.walls);
   return message;
 }
 
@@ -129,6 +130,7 @@ static Result<PreparedDescription> from_wire(const v1::PreparedDescription& mess
   prepared.memory_bytes = message.memory_bytes();
   prepared.histogram_range = message.histogram_range();
   prepared.histogram.assign(message.histogram().begin(), message.histogram().end());
+  prepared.walls = from_wire(message.walls());
   return prepared;
 }
 

@@ -70,6 +70,7 @@ v1::SessionState to_wire(const SessionState& state) {
   message.set_backend(state.backend);
   message.set_rims(state.rims);
   message.set_rims_held(state.rims_held);
+  if (state.walls.share > 0) *message.mutable_walls() = to_wire(state.walls);
   return message;
 }
 
@@ -90,6 +91,7 @@ Result<SessionState> from_wire(const v1::SessionState& message) {
   state.backend = message.backend();
   state.rims = message.rims();
   state.rims_held = message.rims_held();
+  state.walls = from_wire(message.walls());
   return state;
 }
 

@@ -170,7 +170,8 @@ Result<ScanDescription> MeshStore::describe(const std::string& reference, int de
                                              prepared.cells,
                                              prepared.byte_count,
                                              histogram.range,
-                                             {histogram.area.begin(), histogram.area.end()}};
+                                             {histogram.area.begin(), histogram.area.end()},
+                                             prepared.walls};
   return description;
 }
 

@@ -182,7 +182,8 @@ Result<SessionState> SessionManager::state(const std::string& reference, const C
                       fields.palette(),
                       fields.colour(),
                       rims ? rims->rims : 0,
-                      rims ? rims->held : 0};
+                      rims ? rims->held : 0,
+                      entry.session->prepared().walls};
 }
 
 Result<std::string> SessionManager::delete_scan(const std::string& reference) {

@@ -87,6 +87,19 @@ TEST_F(FilterCommand, RimsStayUnlessTheyAreLetGo) {
   EXPECT_THAT(output_, HasSubstr("not closed"));
 }
 
+TEST_F(FilterCommand, WallsThinnerThanACellAreTold) {
+  const std::vector<std::string> smooth = {"filter", in(),  out(),      "--depth",          "5",
+                                           "--beta", "0.5", "--report", path("report.json")};
+  ASSERT_EQ(burnish(smooth), 0) << output_;
+  EXPECT_THAT(output_, testing::Not(HasSubstr("Walls"))) << "a sphere has none";
+  EXPECT_TRUE(report()["walls"].is_null());
+  ASSERT_TRUE(write_mesh(generate_scan({"sheets", 2000, 1}).value(), in()).is_ok());
+  ASSERT_EQ(burnish(smooth), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("Walls: 100 % of the surface is thinner than a cell; an edit"));
+  EXPECT_GT(report()["walls"]["share"], 0.9);
+  EXPECT_GT(report()["walls"]["depth"], 5);
+}
+
 TEST_F(FilterCommand, AKeptVolumeIsReportedAndALostOneToldWithItsFigure) {
   const std::vector<std::string> strong = {
       "filter", in(), out(),           "--depth", "5",       "--alpha",  "2",

@@ -141,6 +141,7 @@ TEST_F(FrontService, AnOpenScanSaysHowManyRimsStayAsSoonAsTheyDo) {
   line("session join " + opened->session.id);
   ASSERT_TRUE(until([this] { return is_settled(); }));
   EXPECT_EQ(document()["rims"], "");
+  EXPECT_EQ(document()["walls"], "") << "a sheet has none";
   line("controls on 0 off");
   EXPECT_TRUE(until([this] { return document()["rims"] == "rims: 1 of 1 stay"; }));
   line("controls off 0 off");
@@ -178,6 +179,19 @@ TEST_F(FrontService, ThePresetBoxSaysWhatTheSessionHas) {
   EXPECT_TRUE(is_shown("Sharpen gently", 0.5));
   line("curve 0:33");
   EXPECT_TRUE(is_empty());
+}
+
+TEST_F(FrontService, AnOpenScanSaysHowMuchOfItIsOnThinWalls) {
+  const auto sheets = server_.folder / "sheets.ply";
+  ASSERT_TRUE(write_mesh(generate_scan({"sheets", 2000, 1}).value(), sheets).is_ok());
+  ASSERT_TRUE(owner_.import_scan(sheets, "sheets", {5, 0}, {}).is_ok());
+  const auto opened = owner_.open_session({"sheets", "thin", {5, 0}});
+  ASSERT_TRUE(opened.is_ok()) << opened.status().to_string();
+  ASSERT_TRUE(start());
+  line("session join " + opened->session.id);
+  ASSERT_TRUE(until([this] { return is_settled(); }));
+  EXPECT_THAT(document()["walls"].get<std::string>(),
+              testing::StartsWith("Walls: 100 % of the surface is thinner than a cell"));
 }
 
 TEST_F(FrontService, AChangeSoonAfterASnapshotIsToldInTime) {

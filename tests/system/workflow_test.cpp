@@ -88,6 +88,24 @@ TEST(Workflow, AScanGoesInAndComesOutEdited) {
   EXPECT_EQ(server.scans(), 0u);
 }
 
+TEST(Workflow, WallsThinnerThanACellAreToldOfScanAndSession) {
+  ServerProcess server;
+  const auto scan = server.folder / "sheets.ply";
+  ASSERT_TRUE(write_mesh(generate_scan({"sheets", 2000, 1}).value(), scan).is_ok());
+  done(server, {"import", scan.string(), "--depth", "5", "--name", "sheets"});
+  done(server, {"open", "sheets", "--depth", "5", "--session", "work"});
+  const auto is_told = HasSubstr("Walls: 100 % of the surface is thinner than a cell");
+  EXPECT_THAT(done(server, {"describe", "sheets"}), is_told);
+  EXPECT_THAT(done(server, {"sessions", "work"}), is_told);
+  const json walls = done_json(server, {"sessions", "work"})["walls"];
+  EXPECT_GT(walls["share"], 0.9);
+  EXPECT_GT(walls["depth"], 5);
+  EXPECT_EQ(done_json(server, {"describe", "sheets"})["described"]["walls"], walls);
+  done(server, {"import", write_sphere(server.folder, 3), "--depth", "5", "--name", "ball"});
+  EXPECT_THAT(done(server, {"describe", "ball"}), testing::Not(HasSubstr("Walls")));
+  EXPECT_TRUE(done_json(server, {"describe", "ball"})["described"]["walls"].is_null());
+}
+
 TEST(Workflow, AGlbGoesInAndComesOutAsItWas) {
   ServerProcess server;
   const std::string ply = write_sphere(server.folder, 3);

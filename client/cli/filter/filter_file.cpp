@@ -68,6 +68,8 @@ Status apply_edits(const FilterOptions& options, const std::vector<Edit>& edits,
   const auto rims = session.edited().pinned_rims();
   if (rims && rims->rims > 0 && !options.controls.pin_rims)
     std::cerr << describe(*rims) << (rims->held > 0 ? "; --pin-rims off lets them move\n" : "\n");
+  if (const std::string walls = describe(prepared.walls); !walls.empty())
+    std::cerr << walls << "\n";
   return Status::ok();
 }
 

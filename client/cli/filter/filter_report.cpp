@@ -70,12 +70,19 @@ static ordered_json rims_of(const Session& session) {
   return {{"number", rims->rims}, {"held", rims->held}};
 }
 
+static ordered_json walls_of(const ThinWalls& walls) {
+  if (walls.share <= 0) return nullptr;
+  return {{"share", walls.share},
+          {"depth", walls.depth > 0 ? ordered_json(walls.depth) : ordered_json()}};
+}
+
 Status write_filter_report(const Session& session, const FilterRun& run,
                            const std::filesystem::path& path) {
   const ordered_json report = {{"grid", grid_of(session.prepared())},
                                {"counts", counts_of(session.prepared(), run.corners)},
                                {"backend", std::string(session.solver().backend_name())},
                                {"rims", rims_of(session)},
+                               {"walls", walls_of(session.prepared().walls)},
                                {"backend_reason", session.solver().backend_reason()},
                                {"threads", thread_count()},
                                {"phases", phases_of(run)},

@@ -27,7 +27,7 @@ from .people import People
 from .pictures import animate, render
 from .region import (ClearProtected, GrowProtected, InvertProtected, ProtectCurvature,
                      ProtectLasso, ProtectPiece)
-from .scan import Histogram, Prepared, Scan
+from .scan import Histogram, Prepared, Scan, ThinWalls
 from .serving import serve
 from .session import Session
 
@@ -38,7 +38,7 @@ __all__ = [
     "GrowProtected", "Histogram", "Internal", "InvalidArgument", "InvertProtected", "Live", "Mesh",
     "NotFound", "Options", "Palette", "PaletteCurve", "People", "PermissionDenied", "Prepared",
     "ProtectCurvature", "ProtectLasso", "ProtectPiece", "Refused", "ResourceExhausted", "Scan",
-    "Session", "SessionEnded", "State", "Stroke", "TransferCurve", "Unauthenticated",
+    "Session", "SessionEnded", "State", "Stroke", "ThinWalls", "TransferCurve", "Unauthenticated",
     "Unavailable", "Unimplemented", "__version__", "animate", "connect", "filter", "filter_all",
     "filter_mesh", "load_ply", "render", "serve",
 ]

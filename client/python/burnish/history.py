@@ -11,6 +11,7 @@ import numpy.typing as npt
 from burnish.v1 import editing_pb2
 
 from .edits import Band, Controls, TransferCurve
+from .scan import ThinWalls
 
 KINDS = {editing_pb2.ENTRY_KIND_GRADIENT_SCALE: "gradient scale",
          editing_pb2.ENTRY_KIND_TRANSFER_CURVE: "transfer curve",
@@ -60,6 +61,8 @@ class State:
     rims: int
     """Of the scan, while the controls pin them."""
     rims_held: int
+    walls: ThinWalls
+    """Of the scan at this depth."""
 
     @classmethod
     def of(cls, message: editing_pb2.SessionState) -> State:
@@ -69,7 +72,8 @@ class State:
                    Controls(controls.pin_rims, controls.cap, controls.keep_volume),
                    [Band(band.size, band.gain) for band in message.equaliser.bands],
                    message.session.edits, message.cycles, message.distance, message.memory_bytes,
-                   message.backend, message.rims, message.rims_held)
+                   message.backend, message.rims, message.rims_held,
+                   ThinWalls.of(message.walls))
 
 
 @dataclasses.dataclass(frozen=True)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from burnish.v1 import library_pb2
+from burnish.v1 import common_pb2, library_pb2
 
 from .files import FORMAT_NAMES
 
@@ -32,6 +32,20 @@ class Histogram:
 
 
 @dataclasses.dataclass(frozen=True)
+class ThinWalls:
+    """Walls thinner than a cell of the grid: an edit of one side moves the other."""
+
+    share: float
+    """Of the scan's area; 0: nothing to tell."""
+    depth: int
+    """The least at which nine tenths of them are not thinner than a cell; 0: none."""
+
+    @classmethod
+    def of(cls, message: common_pb2.ThinWalls) -> ThinWalls:
+        return cls(message.share, message.depth)
+
+
+@dataclasses.dataclass(frozen=True)
 class Prepared:
     """A scan at one depth of the grid."""
 
@@ -44,6 +58,7 @@ class Prepared:
     memory_bytes: int
     """Shared by all sessions at this depth."""
     histogram: Histogram
+    walls: ThinWalls
 
     def alpha_of(self, wavelength: float) -> float:
         """Returns the alpha at which a wave of this length is halved by beta 0. The scan's units."""
@@ -159,4 +174,4 @@ def _prepared_of(message: Any) -> Prepared:
     reach = np.arcsinh(message.histogram_range)
     kappa = np.sinh(np.linspace(-reach, reach, len(area) + 1))
     return Prepared(message.depth, message.cell_size, message.length_unit, message.cells,
-                    message.memory_bytes, Histogram(kappa, area))
+                    message.memory_bytes, Histogram(kappa, area), ThinWalls.of(message.walls))

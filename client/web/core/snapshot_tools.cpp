@@ -103,7 +103,7 @@ void write_tools(const Workspace& workspace, const FrontState& state, JsonWriter
   const Controls& controls = document.controls();
   json.key("controls").open().flag("pinRims", controls.pin_rims).number("cap", controls.cap);
   json.flag("keepVolume", controls.keep_volume).close();
-  json.text("rims", rims_text(document));
+  json.text("rims", rims_text(document)).text("walls", walls_text(document));
   write_bands(document, json);
   write_palette(document, json);
   json.key("colours").open().number("beta", document.colour_filter().beta);

@@ -62,6 +62,21 @@ class Library(Sdk):
         self.assertLess(abs(histogram.quantile(0.5)), 3 * round_)
         self.assertGreater(histogram.quantile(0.9), histogram.quantile(0.5))
 
+    def test_walls_thinner_than_a_cell_are_told(self):
+        self.assertEqual(self.scan.prepared().walls.share, 0)
+        self.assertEqual(self.open().state().walls.share, 0)
+        square = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], float)
+        vertices = np.concatenate([square, square + [0, 0, 0.01]])
+        faces = np.array([[0, 2, 1], [0, 3, 2], [4, 5, 6], [4, 6, 7]])
+        plates = self.connection.import_scan(burnish.Mesh(vertices, faces), "plates", depth=DEPTH)
+        self.addCleanup(plates.delete)
+        walls = plates.prepared().walls
+        self.assertGreater(walls.share, 0.9)
+        self.assertGreater(walls.depth, DEPTH)
+        session = self.connection.open_session(plates, "thin", depth=DEPTH)
+        self.addCleanup(self.delete, session)
+        self.assertEqual(session.state().walls, walls)
+
     def test_a_wave_has_its_alpha(self):
         prepared = self.scan.prepared()
         self.assertAlmostEqual(prepared.alpha_of(2 * np.pi * prepared.length_unit), 1)

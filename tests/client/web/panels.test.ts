@@ -161,6 +161,9 @@ test("LimitsHoldRimsMovesAndRegions", () =>
     await panel.getByText("rims: 3 of 5 stay").waitFor();
     await visit.document({ rims: "" });
     await panel.getByText("rims: 3 of 5 stay").waitFor({ state: "detached" });
+    await panel.getByText("Walls: 24 % of the surface").waitFor();
+    await visit.document({ walls: "" });
+    await panel.getByText("Walls:").waitFor({ state: "detached" });
     await panel.getByRole("checkbox", { name: "Rims stay" }).click();
     await visit.sent("controls off 0 off");
     assert.ok(await panel.getByRole("checkbox", { name: "Volume stays" }).isDisabled());

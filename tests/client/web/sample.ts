@@ -63,6 +63,8 @@ export const session: Document = {
   },
   controls: { pinRims: true, cap: 0, keepVolume: false },
   rims: "rims: 3 of 5 stay",
+  walls:
+    "Walls: 24 % of the surface is thinner than a cell; an edit of one side moves the other.",
   bands: [
     { size: 2, gain: 1, details: "finer than 2" },
     { size: 8, gain: 1.5, details: "2 to 8" },

@@ -84,12 +84,15 @@ TEST(LibraryWire, ADescriptionComesBackUnchanged) {
   scan.statistics.vertices = 5;
   scan.statistics.box_max = Vec3d(1, 2, 3);
   scan.prepared = {{{7, 0.125}, 99}};
-  description.prepared = PreparedDescription{{7, 0.125}, 1.5, 0.01, 1234, 5678, 40, {0.5f, 0.25f}};
+  description.prepared =
+      PreparedDescription{{7, 0.125}, 1.5, 0.01, 1234, 5678, 40, {0.5f, 0.25f}, {0.125, 8}};
   const auto back = from_wire(to_wire(description));
   ASSERT_TRUE(back.is_ok());
   EXPECT_EQ(to_wire(back.value()).SerializeAsString(), to_wire(description).SerializeAsString());
   EXPECT_EQ(back.value().scan.statistics.box_max, Vec3d(1, 2, 3));
   EXPECT_EQ(back.value().prepared->histogram.size(), 2u);
+  EXPECT_EQ(back.value().prepared->walls.share, 0.125);
+  EXPECT_EQ(back.value().prepared->walls.depth, 8);
 }
 
 TEST(StatusWire, CodesAreThoseOfGrpcBothWays) {

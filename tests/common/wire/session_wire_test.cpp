@@ -52,12 +52,15 @@ TEST(SessionWire, AStateComesBackUnchanged) {
   state.backend = "cpu";
   state.rims = 5;
   state.rims_held = 4;
+  state.walls = {0.25, 9};
   const auto back = from_wire(to_wire(state));
   ASSERT_TRUE(back.is_ok());
   EXPECT_EQ(to_wire(back.value()).SerializeAsString(), to_wire(state).SerializeAsString());
   EXPECT_EQ(back.value().transfer_curve, state.transfer_curve);
   EXPECT_EQ(back.value().rims, 5);
   EXPECT_EQ(back.value().rims_held, 4);
+  EXPECT_EQ(back.value().walls.share, 0.25);
+  EXPECT_EQ(back.value().walls.depth, 9);
 }
 
 TEST(SessionWire, ASessionNeedsAScan) {

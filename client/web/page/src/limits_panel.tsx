@@ -19,6 +19,7 @@ export function LimitsPanel({ document }: PanelProps) {
           {document.rims}
         </div>
       )}
+      {document.walls && <div class="faint">{document.walls}</div>}
       <LargestMove document={document} />
       <LassoButtons document={document} />
       <RegionButtons document={document} />

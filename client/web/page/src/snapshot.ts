@@ -270,6 +270,8 @@ export interface Document {
   controls: { pinRims: boolean; cap: number; keepVolume: boolean };
   /** How many rims stay, in words; empty: none is known. */
   rims: string;
+  /** How much of the scan is on thin walls, in words; empty: nothing is told. */
+  walls: string;
   bands: Band[];
   /** By how much waves are multiplied, from two cells to the diagonal, evenly in log length. */
   response: number[];
