@@ -114,11 +114,14 @@ TEST(Prepare, ReportsItsPhasesInOrder) {
 
 TEST(Prepare, CanBeCancelledWheneverItReports) {
   const TriangleMesh mesh = make_icosphere(4, 1);
-  int reports = 0;
-  ASSERT_TRUE(prepare(mesh, at_depth(6), [&](auto, auto) { return ++reports > 0; }).is_ok());
-  for (int until = 1; until <= reports; ++until) {
+  for (int until = 1;; ++until) {
     int left = until;
     const auto result = prepare(mesh, at_depth(6), [&](auto, auto) { return --left > 0; });
+    if (left > 0) {  // there were fewer reports: loops also report by the clock
+      EXPECT_TRUE(result.is_ok());
+      EXPECT_GT(until, 6);
+      break;
+    }
     ASSERT_FALSE(result.is_ok()) << until;
     EXPECT_EQ(result.status().code(), StatusCode::kCancelled);
     EXPECT_EQ(left, 0) << "went on after report " << until;
