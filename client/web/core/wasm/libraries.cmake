@@ -1,6 +1,6 @@
 # The libraries of Debian that have no build for WASI, from their sources.
 
-set(BURNISH_WEB_FLAGS -Oz -flto -fvisibility=hidden -fno-exceptions -ffunction-sections -fdata-sections)
+set(BURNISH_WEB_FLAGS -Oz -flto -fvisibility=hidden -fno-exceptions -fno-rtti -ffunction-sections -fdata-sections)
 
 file(GLOB zstd_sources ${BURNISH_WEB_SOURCES}/libzstd/lib/common/*.c
                        ${BURNISH_WEB_SOURCES}/libzstd/lib/decompress/*.c)
