@@ -107,6 +107,7 @@ test("OwnPresetIsKeptChosenAndDeleted", () =>
     await panel.getByRole("button", { name: "Delete faint lines" }).click();
     await visit.sent("preset_delete faint lines");
     await visit.change({ presets: snapshot.presets, preset: null });
+    await panel.getByRole("slider", { name: "Strength of the preset" }).waitFor({ state: "detached" });
     assert.equal(await panel.getByRole("combobox", { name: "Presets" }).inputValue(), "");
   }));
 
