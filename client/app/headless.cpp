@@ -1,9 +1,6 @@
 #include "client/app/headless.h"
 
-#include <iostream>
-
-#include "client/gl/context_egl.h"
-#include "client/scene/null_page_renderer.h"
+#include "client/pictures/lone_renderer.h"
 #include "client/script/lone_script.h"
 #include "common/base/text_lines.h"
 
@@ -31,13 +28,7 @@ Status run_script_file(const std::filesystem::path& script, AppOptions options) 
   options.workspace.preferences.clear();  // a script leaves no traces
   options.workspace.pages.clear();
   options.workspace.budget = script_budget(options.triangles_max);
-  const auto context = EglContext::create();
-  if (!context.is_ok()) {
-    std::cerr << "burnish: pictures will be black: " << context.status().message() << "\n";
-    NullPageRenderer renderer;
-    return run_with(renderer, lines, script.string(), options);
-  }
-  ASSIGN_OR_RETURN(const auto renderer, GlPageRenderer::create());
+  const LoneRenderer renderer;
   return run_with(*renderer, lines, script.string(), options);
 }
 

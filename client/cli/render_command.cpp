@@ -6,7 +6,7 @@
 #include "client/cli/command.h"
 #include "client/cli/commands.h"
 #include "client/cli/print_json.h"
-#include "client/gl/picture.h"
+#include "client/pictures/picture.h"
 #include "client/scene/png_writer.h"
 #include "common/mesh/mesh_io.h"
 

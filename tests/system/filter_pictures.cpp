@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "client/gl/picture.h"
+#include "client/pictures/picture.h"
 #include "client/scene/png_writer.h"
 #include "common/base/check.h"
 #include "common/mesh/mesh_io.h"

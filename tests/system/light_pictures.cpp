@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "client/gl/picture.h"
+#include "client/pictures/picture.h"
 #include "client/scene/png_writer.h"
 #include "common/base/check.h"
 #include "common/generate/generate.h"

@@ -4,7 +4,6 @@
 
 #include "client/gl/context_egl.h"
 #include "client/gl/gl_page_renderer.h"
-#include "client/gl/picture.h"
 #include "client/scene/raw_pages.h"
 #include "tests/client/scene/sphere.h"
 
@@ -152,22 +151,7 @@ TEST_F(RawPicture, AbsurdSizesAreRefusedAndTheNextPictureIsDrawn) {
   EXPECT_EQ(draw(sphere_camera(5)).size, kSize);
 }
 
-TEST(Picture, FramesTheWholeMesh) {
-  PictureOptions options;
-  options.size = kSize;
-  const Image image = std::move(draw_picture(make_test_sphere(Vec3d(7, 8, 9), 3), options)).value();
-  EXPECT_EQ(image.size, kSize);
-  const auto differs_from_left_edge = [&](int x, int y) {
-    return std::abs(brightness(image, x, y) - brightness(image, 0, y)) > 6;
-  };
-  EXPECT_TRUE(differs_from_left_edge(kSize.width / 2, kSize.height / 2));
-  for (int x = 0; x < kSize.width; ++x) {
-    EXPECT_FALSE(differs_from_left_edge(x, 0));
-    EXPECT_FALSE(differs_from_left_edge(x, kSize.height - 1));
-  }
-}
-
-TEST(Picture, SaysWhatIsMissingWithoutADriver) {
+TEST(EglContextTest, SaysWhatIsMissingWithoutADriver) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");  // a new process, which loads EGL anew
   ASSERT_EQ(setenv("__EGL_VENDOR_LIBRARY_DIRS", "/nonexistent", 1), 0);
   EXPECT_EXIT(

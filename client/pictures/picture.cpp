@@ -1,15 +1,13 @@
-#include "client/gl/picture.h"
+#include "client/pictures/picture.h"
 
-#include "client/gl/context_egl.h"
-#include "client/gl/gl_page_renderer.h"
+#include "client/pictures/lone_renderer.h"
 #include "client/scene/raw_pages.h"
 
 namespace burnish {
 
 Result<Image> draw_picture(const TriangleMesh& mesh, const PictureOptions& options) {
   RETURN_IF_ERROR(check_image_size(options.size));
-  ASSIGN_OR_RETURN(const auto context, EglContext::create());
-  ASSIGN_OR_RETURN(const auto renderer, GlPageRenderer::create());
+  const LoneRenderer renderer;
   const RawPages raw = make_raw_pages(mesh);
   ASSIGN_OR_RETURN(const auto patches, upload_pages(raw, *renderer));
   Camera camera;

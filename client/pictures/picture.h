@@ -18,9 +18,8 @@ struct PictureOptions {
   DrawStyle style;
 };
 
-/// Draws one picture of the whole mesh, without a window.
-/// Needs: a valid mesh. Fails: invalid_argument (size), unavailable (no EGL or driver),
-/// resource_exhausted.
+/// Draws one picture of the whole mesh, without a window, with LoneRenderer.
+/// Needs: a valid mesh. Fails: invalid_argument (size), resource_exhausted.
 Result<Image> draw_picture(const TriangleMesh& mesh, const PictureOptions& options);
 
 }  // namespace burnish

@@ -1,0 +1,124 @@
+#include "client/raster/relief_rows.h"
+
+#include <cmath>
+
+namespace burnish {
+namespace {
+
+struct Turn {
+  float right, up;
+};
+
+/// Lights one pixel after the other.
+class SurroundingLight {
+ public:
+  SurroundingLight(const ReliefPlaces& places, const Occlusions& occlusions,
+                   const Lighting& lighting)
+      : places_(places), occlusions_(occlusions), lighting_(lighting) {}
+
+  // Multiplies the colour in sRGB.
+  float factor(const ReliefPlace& at, int x, int up, int sample) const {
+    if (at.away == 0) return 1;
+    float light = 1;
+    if (lighting_.kind == LightKind::kRadiance)
+      light = radiance_scaling(std::tanh(1.2f * curvature(at, x, up, sample)), at.strength);
+    if (lighting_.kind == LightKind::kCavity) light = cavity(curvature(at, x, up, sample));
+    if (lighting_.occlusion > 0)
+      light *= 1 - static_cast<float>(lighting_.occlusion) * occlusion_at(at, x, up);
+    return mixed(1.0f, power(greater(light, 0), 1 / shade::kGamma), at.part);
+  }
+
+  bool is_one_surface(int x, int up, const ReliefPlace& first) const {
+    for (int i = 1; i < places_.samples(); ++i) {
+      const ReliefPlace other = places_.at(x, up, i);
+      if ((other.away == 0) != (first.away == 0)) return false;
+      if (first.away > 0 && places_.off_plane(first, other) > 4) return false;
+    }
+    return true;
+  }
+
+ private:
+  Turn turn_to(const ReliefPlace& at, const ReliefPlace& other, float distance) const {
+    if (other.away == 0) return {0, 0};
+    const float near = clamped(2 - places_.off_plane(at, other) / (1.5f * distance + 1));
+    const ShadeVector to_eye = places_.to_eye_from(at);
+    const ShadeVector right = unit(cross({0, 1, 0}, to_eye));
+    const ShadeVector turn = other.n - at.n;
+    return {near * dot(turn, right), near * dot(turn, cross(to_eye, right))};
+  }
+
+  float curvature(const ReliefPlace& at, int x, int up, int sample) const {
+    float sum = 0;
+    for (const float wanted : {1.0f, 3.0f, 8.0f}) {
+      const int reach =
+          std::max(static_cast<int>(wanted * static_cast<float>(places_.height()) / 900 + 0.5f), 1);
+      const auto by = [&](int right, int above) {
+        return turn_to(at, places_.at(x + right, up + above, sample), static_cast<float>(reach));
+      };
+      sum += by(reach, 0).right - by(-reach, 0).right;
+      sum += by(0, reach).up - by(0, -reach).up;
+    }
+    return sum * smooth_step(0.05f, 0.45f, dot(at.n, places_.to_eye_from(at)));
+  }
+
+  // Vergne et al. 2010, equation 3.
+  float radiance_scaling(float bend, float light) const {
+    constexpr float kInvariant = 0.12f;
+    const float up = std::exp(-static_cast<float>(lighting_.radiance) * bend);
+    return (kInvariant * up + light * (1 - kInvariant * (1 + up))) /
+           (kInvariant + light * (up - kInvariant * (1 + up)));
+  }
+
+  float cavity(float bend) const {
+    const float size = std::abs(bend) / (1 + 1.5f * std::abs(bend));
+    const auto ridge = static_cast<float>(lighting_.ridge);
+    const auto valley = static_cast<float>(lighting_.valley);
+    return greater(1 + (bend > 0 ? 0.9f * ridge : -1.2f * valley) * size, 0.05f);
+  }
+
+  float occlusion_at(const ReliefPlace& at, int x, int up) const {
+    float sum = 0, weights = 1e-4f;
+    for (int dy = -2; dy < 2; ++dy)
+      for (int dx = -2; dx < 2; ++dx) {
+        const ReliefPlace other = places_.at(x + dx, up + dy, 0);
+        if (other.away == 0) continue;
+        const float weight = clamped(2 - places_.off_plane(at, other) / 3);
+        const size_t pixel = places_.number(x + dx, up + dy, 0) / places_.samples();
+        sum += weight * static_cast<float>(occlusions_[pixel]) / 255;
+        weights += weight;
+      }
+    return sum / weights;
+  }
+
+  const ReliefPlaces& places_;
+  const Occlusions& occlusions_;
+  const Lighting& lighting_;
+};
+
+}  // namespace
+
+void light_reliefs(const ReliefPlaces& places, const SampleReliefs& reliefs,
+                   const Occlusions& occlusions, const Lighting& lighting, const RowRange& rows,
+                   Image& image) {
+  const SurroundingLight light(places, occlusions, lighting);
+  const int samples = places.samples();
+  for (int row = rows.first; row < rows.end; ++row)
+    for (int x = 0; x < places.width(); ++x) {
+      const int up = places.height() - 1 - row;
+      const ReliefPlace first = places.at(x, up, 0);
+      const bool once = light.is_one_surface(x, up, first);
+      float factor = light.factor(first, x, up, 0);
+      std::array<float, 3> sum{};
+      for (int s = 0; s < samples; ++s) {
+        if (!once && s > 0) factor = light.factor(places.at(x, up, s), x, up, s);
+        const SampleRelief& relief = reliefs[places.number(x, up, s)];
+        for (int c = 0; c < 3; ++c)
+          sum[c] += lesser(factor * static_cast<float>(relief.colour[c]), 255);
+      }
+      uint8_t* const to = image.rgb.data() + 3 * (size_t(row) * places.width() + x);
+      for (int c = 0; c < 3; ++c)
+        to[c] = static_cast<uint8_t>(sum[c] / static_cast<float>(samples) + 0.5f);
+    }
+}
+
+}  // namespace burnish

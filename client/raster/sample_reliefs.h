@@ -1,0 +1,20 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace burnish {
+
+/// What light from the surroundings needs of a sample that shows a surface.
+struct SampleRelief {
+  std::array<int16_t, 3> normal{};  ///< camera space, times 32767
+  uint16_t strength = 0;            ///< of the light, times 65535
+  uint16_t part = 0;                ///< of the surface in the colour, times 65535
+  std::array<uint8_t, 3> colour{};  ///< sRGB, before that light
+};
+
+/// One for each sample, in the order of Visibility. Samples without a surface have only a colour.
+using SampleReliefs = std::vector<SampleRelief>;
+
+}  // namespace burnish
