@@ -247,6 +247,20 @@ static void put_normal(const ShadedScene& scene, const SeenTriangle& triangle,
   batch.facing[i] = weights.facing;
 }
 
+void prefetch_triangle(const ShadedScene& scene, const Fragment& fragment) {
+  const RasterPage& page = scene.pages[slot_of_id(fragment.id)];
+  __builtin_prefetch(&page.triangles[triangle_of_id(fragment.id)]);
+}
+
+void prefetch_corners(const ShadedScene& scene, const Fragment& fragment) {
+  const RasterPage& page = scene.pages[slot_of_id(fragment.id)];
+  const RasterSurface& surface = page.surface(scene.shows_original(fragment.x));
+  for (const uint16_t corner : page.triangles[triangle_of_id(fragment.id)]) {
+    __builtin_prefetch(&surface.positions[corner]);
+    __builtin_prefetch(&surface.normals[corner]);
+  }
+}
+
 // Where OpenGL's drivers light a fragment: a pixel's middle may lie outside its triangle.
 static std::array<float, 2> lit_place(const SamplePlaces& places, const Fragment& fragment) {
   const bool is_whole = fragment.samples == (1 << places.count) - 1;

@@ -17,6 +17,11 @@ struct Fragment {
 /// How many edges of the triangle cover each sample, for the view of triangles.
 using EdgeCounts = std::array<uint8_t, kSamplesMax>;
 
+/// Ask memory for a fragment's triangle, and then for its corners. Pixels beside each other show
+/// triangles that are far apart in memory.
+void prefetch_triangle(const ShadedScene& scene, const Fragment& fragment);
+void prefetch_corners(const ShadedScene& scene, const Fragment& fragment);
+
 /// Puts what the light needs of a fragment into place batch.count of a batch, and counts that.
 /// Interpolates as the shaders of client/gl have it: with perspective, at the middle of the pixel,
 /// or at its first covered sample if others are not.

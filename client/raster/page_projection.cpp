@@ -42,6 +42,9 @@ PageProjection make_page_projection(const PageSpace& space, const Camera& camera
       Eigen::Vector4d(by_one, -projection(3, 3), -by_away, -projection(3, 2)).cast<float>();
   made.size = size;
   made.is_parallel = camera.orthographic;
+  const Eigen::Matrix3d axes = seen.topLeftCorner<3, 3>();
+  const Vec3d eye = -axes.transpose() * seen.topRightCorner<3, 1>();
+  made.eye = (camera.orthographic ? Vec3d(axes.row(2).transpose()) : eye).cast<float>();
   return made;
 }
 

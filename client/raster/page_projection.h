@@ -36,6 +36,9 @@ struct PageProjection {
   Eigen::Vector4f depth_terms;  ///< distance along the view = (x + y n) / (z + w n), n: nearness
   ImageSize size;
   bool is_parallel = false;
+  Vec3f eye = Vec3f::Zero();  ///< PageSpace; in parallel the direction to it
+
+  Vec3f to_eye(const Vec3f& from) const { return is_parallel ? eye : Vec3f(eye - from); }
 };
 
 PageProjection make_page_projection(const PageSpace& space, const Camera& camera,

@@ -19,6 +19,20 @@ static Eigen::AlignedBox3f box_of(std::span<const Vec3f> positions) {
   return box;
 }
 
+static std::vector<Eigen::AlignedBox3f> boxes_of_runs(std::span<const Vec3f> positions,
+                                                      std::span<const PageTriangle> triangles) {
+  std::vector<Eigen::AlignedBox3f> boxes((triangles.size() + kRunTriangles - 1) / kRunTriangles);
+  for (size_t t = 0; t < triangles.size(); ++t)
+    for (const uint16_t corner : triangles[t]) boxes[t / kRunTriangles].extend(positions[corner]);
+  return boxes;
+}
+
+static Vec3f sum_of(std::span<const Vec3f> normals) {
+  Vec3f sum = Vec3f::Zero();
+  for (const Vec3f& normal : normals) sum += normal;
+  return sum;
+}
+
 static std::vector<RasterNormal> raster_normals(std::span<const Vec3f> normals,
                                                 std::span<const float> ridges) {
   std::vector<RasterNormal> made(normals.size());
@@ -28,7 +42,8 @@ static std::vector<RasterNormal> raster_normals(std::span<const Vec3f> normals,
 
 void RasterPage::put(const PageMesh& mesh) {
   *this = {};
-  original = {mesh.positions, raster_normals(mesh.normals, mesh.ridges), box_of(mesh.positions)};
+  original = {mesh.positions, raster_normals(mesh.normals, mesh.ridges), box_of(mesh.positions),
+              boxes_of_runs(mesh.positions, mesh.triangles), sum_of(mesh.normals)};
   original_colours = mesh.colours;
   triangles = mesh.triangles;
 }
@@ -44,6 +59,8 @@ void RasterPage::move(std::span<const Vec3f> displacements, std::span<const Vec3
   }
   moved.normals = raster_normals(normals, ridges);
   moved.box = box_of(moved.positions);
+  moved.run_boxes = boxes_of_runs(moved.positions, triangles);
+  moved.mean_normal = sum_of(normals);
 }
 
 }  // namespace burnish

@@ -18,15 +18,20 @@ struct RasterNormal {
 
 RasterNormal raster_normal(const Vec3f& normal, float ridge);
 
+/// So many triangles that follow each other have a box, so that a page may be hidden in part.
+inline constexpr uint32_t kRunTriangles = 128;
+
 /// What a page shows with its displacements, or without.
 struct RasterSurface {
   std::vector<Vec3f> positions;
   std::vector<RasterNormal> normals;
   Eigen::AlignedBox3f box;
+  std::vector<Eigen::AlignedBox3f> run_boxes;  // one per kRunTriangles triangles
+  Vec3f mean_normal = Vec3f::Zero();           // of the vertices; any length
 };
 
 /// The page in a slot. Fields are empty that nobody has given: 20 bytes a vertex that is not moved,
-/// and 24 more if it is.
+/// 24 more if it is, and 6 a triangle.
 struct RasterPage {
   std::vector<PageTriangle> triangles;
   RasterSurface original;

@@ -63,34 +63,37 @@ class RowShader {
       for (int s = 0; s < visibility_.samples; ++s)
         if ((open >> s & 1) != 0 && id_of_key(keys[s]) == id) fragment.samples |= 1 << s;
       open &= ~fragment.samples;
-      if (batch_.count == kShadeBatch) light();
-      const int i = batch_.count;
-      add_fragment(scene_, places_, fragment, batch_, edges_[i]);
-      pixels_[i] = x;
-      covered_[i] = fragment.samples;
+      if (count_ == kShadeBatch) light();
+      fragments_[count_++] = fragment;
     }
   }
 
+  // Memory brings the triangles and their corners of all while the first ones are worked on.
   void light() {
+    for (int i = 0; i < count_; ++i) prefetch_triangle(scene_, fragments_[i]);
+    for (int i = 0; i < count_; ++i) prefetch_corners(scene_, fragments_[i]);
+    for (int i = 0; i < count_; ++i)
+      add_fragment(scene_, places_, fragments_[i], batch_, edges_[i]);
     light_batch(scene_.light, batch_);
-    for (int i = 0; i < batch_.count; ++i) {
+    for (int i = 0; i < count_; ++i) {
+      const Fragment& fragment = fragments_[i];
       const ShadeVector colour{batch_.red[i], batch_.green[i], batch_.blue[i]};
       const Rgb rgb = rgb_of(colour);
       for (int s = 0; s < visibility_.samples; ++s)
-        if ((covered_[i] >> s & 1) != 0)
-          sink_.put(pixels_[i], s, scene_.wireframe ? under_edges(colour, edges_[i][s]) : rgb,
+        if ((fragment.samples >> s & 1) != 0)
+          sink_.put(fragment.x, s, scene_.wireframe ? under_edges(colour, edges_[i][s]) : rgb,
                     batch_, i);
     }
-    batch_.count = 0;
+    batch_.count = count_ = 0;
   }
 
   const ShadedScene& scene_;
   const Visibility& visibility_;
   const SamplePlaces& places_;
   Sink& sink_;
+  int count_ = 0;
+  std::array<Fragment, kShadeBatch> fragments_{};
   ShadeBatch batch_{};
-  std::array<int, kShadeBatch> pixels_{};
-  std::array<int, kShadeBatch> covered_{};
   std::array<EdgeCounts, kShadeBatch> edges_{};
 };
 
@@ -101,20 +104,22 @@ class AveragedRows {
 
   void begin(int, const Rgb& background) {
     background_ = background;
-    covered_.fill(0);
-    for (auto& sum : sums_) sum = {};
+    std::fill_n(covered_.begin(), image_.size.width, uint8_t{0});
+    std::fill_n(sums_.begin(), image_.size.width, std::array<uint16_t, 3>{});
   }
   void put(int x, int, const Rgb& rgb, const ShadeBatch&, int) {
     for (int c = 0; c < 3; ++c) sums_[x][c] = static_cast<uint16_t>(sums_[x][c] + rgb[c]);
     ++covered_[x];
   }
   void end(int row) {
+    const int shift =
+        samples_ == 1 ? 0 : 2;  // a division for each byte takes longer than its light
     uint8_t* to = image_.rgb.data() + size_t{3} * row * image_.size.width;
-    for (int x = 0; x < image_.size.width; ++x)
-      for (int c = 0; c < 3; ++c) {
-        const int sum = sums_[x][c] + (samples_ - covered_[x]) * background_[c];
-        *to++ = static_cast<uint8_t>((sum + samples_ / 2) / samples_);
-      }
+    for (int x = 0; x < image_.size.width; ++x, to += 3) {
+      const int open = samples_ - covered_[x];
+      for (int c = 0; c < 3; ++c)
+        to[c] = static_cast<uint8_t>((sums_[x][c] + open * background_[c] + samples_ / 2) >> shift);
+    }
   }
 
  private:
