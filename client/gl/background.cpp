@@ -5,9 +5,9 @@
 namespace burnish {
 
 Result<std::unique_ptr<Background>> Background::create() {
-  ASSIGN_OR_RETURN(
-      ShaderProgram program,
-      ShaderProgram::create("background", kBackgroundVertexShader, kBackgroundFragmentShader));
+  ASSIGN_OR_RETURN(ShaderProgram program,
+                   ShaderProgram::create("background", kBackgroundVertexShader,
+                                         background_fragment_shader().c_str()));
   return std::unique_ptr<Background>(new Background(std::move(program)));
 }
 

@@ -4,19 +4,14 @@ namespace burnish {
 
 // Clay: a hemisphere of sky and ground, a key light, a weak fill from the right, a broad highlight,
 // a rim, and darker grooves. A matcap is a formula of the normal as the eye sees it.
+// client/raster/light_batch.cpp has the same formulas for processors.
 const char* const kPageLights = R"(
 uniform int light_kind;  // as LightKind
 uniform vec3 to_lamp;
 uniform float specular;
 
-const vec3 kSky = vec3(0.42, 0.45, 0.50);
-const vec3 kGround = vec3(0.16, 0.14, 0.13);
-const vec3 kKeyLight = vec3(1.00, 0.95, 0.88);
-const vec3 kFillLight = vec3(0.14, 0.16, 0.20);
-const vec3 kToFill = normalize(vec3(0.80, 0.10, 0.45));
-const vec3 kBaseOfKind[7] = vec3[7](vec3(0.50, 0.44, 0.37), vec3(0.50, 0.44, 0.37),
-    vec3(0.50, 0.44, 0.37), vec3(0.50, 0.44, 0.37), vec3(0.72, 0.72, 0.70),
-    vec3(0.40, 0.22, 0.09), vec3(0.55, 0.55, 0.55));
+const vec3 kBaseOfKind[7] = vec3[7](kClayBase, kClayBase, kClayBase, kClayBase, kCeramicBase,
+    kBronzeBase, kSlopesBase);
 
 struct Lit {
   vec3 colour;
@@ -32,7 +27,7 @@ vec3 lamp_highlight(vec3 n, vec3 to_eye) {
 Lit lamp(vec3 base, vec3 n, vec3 to_eye, float ridge) {
   vec3 light = mix(kGround, kSky, 0.5 + 0.5 * n.y);
   light += kKeyLight * max(dot(n, to_lamp), 0.0);
-  light += kFillLight * max(dot(n, kToFill), 0.0);
+  light += kFillLight * max(dot(n, normalize(kFillPlace)), 0.0);
   light *= 1.0 + (ridge < 0.0 ? 0.55 : 0.25) * ridge;
   float rim = pow(1.0 - max(dot(n, to_eye), 0.0), 3.0);
   return Lit(base * light + lamp_highlight(n, to_eye) + 0.07 * rim * kSky,
@@ -51,17 +46,17 @@ float window(vec3 n, vec2 middle, float half_side) {
 }
 
 Lit ceramic(vec3 base, vec3 n) {
-  float light = 0.10 + 0.75 * smoothstep(-0.2, 1.0, dot(n, normalize(vec3(-0.5, 0.6, 0.6))));
+  float light = 0.10 + 0.75 * smoothstep(-0.2, 1.0, dot(n, normalize(kCeramicLamp)));
   float shine = 0.35 * window(n, vec2(-0.50, 0.60), 0.22) + 0.12 * window(n, vec2(0.72, 0.1), 0.18);
   return Lit(base * light + shine, light / 0.85);
 }
 
 Lit bronze(vec3 base, vec3 n) {
   float mirrored = 2.0 * n.z * n.y;
-  float light = 0.12 + 0.75 * pow(max(dot(n, normalize(vec3(-0.4, 0.7, 0.6))), 0.0), 1.6);
+  float light = 0.12 + 0.75 * pow(max(dot(n, normalize(kBronzeLamp)), 0.0), 1.6);
   light += 0.55 * smoothstep(0.30, 0.75, mirrored) + 0.18 * smoothstep(-0.55, -0.9, mirrored);
-  float shine = 0.6 * pow(max(dot(n, normalize(vec3(-0.35, 0.45, 0.82))), 0.0), 60.0);
-  return Lit(base * 1.5 * light + shine * vec3(1.0, 0.85, 0.6), light / 1.42);
+  float shine = 0.6 * pow(max(dot(n, normalize(kBronzeShine)), 0.0), 60.0);
+  return Lit(base * 1.5 * light + shine * kBronzeGloss, light / 1.42);
 }
 
 Lit slopes(vec3 base, vec3 n) {

@@ -26,14 +26,7 @@ uniform vec3 ring_colours[8];
 layout(location = 0) out vec4 colour;
 layout(location = 1) out vec4 relief;  // as ReliefTarget
 
-const vec3 kPlain = vec3(0.62, 0.62, 0.62);
-const vec3 kBlue = vec3(0.03, 0.16, 0.72);
-const vec3 kRed = vec3(0.72, 0.04, 0.03);
-const vec3 kHeld = vec3(0.10, 0.30, 0.52);
-const float kHatchPixels = 12.0;
-const float kGrazing = 0.02;  // cosine: the surface turns no farther from the eye
-
-vec3 linear(vec3 srgb) { return pow(srgb, vec3(2.2)); }
+vec3 linear(vec3 srgb) { return pow(srgb, vec3(kGamma)); }
 
 vec3 blue_to_red(float signed_part) {
   float part = clamp(signed_part, -1.0, 1.0);
@@ -45,10 +38,10 @@ vec3 base_colour() {
   if (colouring == 1) base = blue_to_red(value);
   if (colouring == 2) base = blue_to_red(moved / displacement_range);
   if (colouring == 3) base = linear(scan_colour);
-  if (overlay.a > 0.0) base = mix(base, linear(overlay.rgb / overlay.a), 0.6 * overlay.a);
-  bool is_stripe = fract((gl_FragCoord.x + gl_FragCoord.y) / kHatchPixels) < 0.4;
-  base = mix(base, kHeld, hatched * (is_stripe ? 0.75 : 0.25));
-  return mix(base, linear(tint_colour), 0.75 * tint * (1.0 - hatched));
+  if (overlay.a > 0.0) base = mix(base, linear(overlay.rgb / overlay.a), kOverlayStrength * overlay.a);
+  bool is_stripe = fract((gl_FragCoord.x + gl_FragCoord.y) / kHatchPixels) < kStripePart;
+  base = mix(base, kHeld, hatched * (is_stripe ? kStripeStrength : kBetweenStripesStrength));
+  return mix(base, linear(tint_colour), kTintStrength * tint * (1.0 - hatched));
 }
 
 // Rings keep their width in pixels, whatever the distance. The fourth part is how much of the
@@ -57,7 +50,7 @@ vec4 with_rings(vec4 below) {
   for (int i = 0; i < ring_count; ++i) {
     float away = distance(original_position, rings[i].xyz) - rings[i].w;
     float pixels = abs(away) / max(length(vec2(dFdx(away), dFdy(away))), 1e-12);
-    below = mix(below, vec4(linear(ring_colours[i]), 0.0), 1.0 - smoothstep(0.8, 1.8, pixels));
+    below = mix(below, vec4(linear(ring_colours[i]), 0.0), 1.0 - smoothstep(kRingInnerPixels, kRingOuterPixels, pixels));
   }
   return below;
 }
@@ -82,7 +75,7 @@ vec2 folded(vec3 n) {
 void main() {
   relief = vec4(0.0);
   if (edges) {
-    colour = vec4(0.05, 0.06, 0.08, 0.55);
+    colour = vec4(kEdge, kEdgeStrength);
     return;
   }
   vec3 to_eye = parallel ? vec3(0.0, 0.0, 1.0) : normalize(-seen_position);
@@ -96,7 +89,7 @@ void main() {
   Lit lit = light_of(base_colour(), n, seen, to_eye, side * seen_ridge);
   if (faded) lit.colour = mix(vec3(luminance(lit.colour)), vec3(0.45), 0.4);
   vec4 shown = with_rings(vec4(lit.colour, 1.0));
-  colour = vec4(pow(clamp(shown.rgb, 0.0, 1.0), vec3(1.0 / 2.2)), 1.0);
+  colour = vec4(pow(clamp(shown.rgb, 0.0, 1.0), vec3(1.0 / kGamma)), 1.0);
   relief = vec4(folded(n), lit.strength, shown.a);
 }
 )";

@@ -52,8 +52,9 @@ float off_plane(Place at, Place other) {
 }
 )";
 
-// Curvature is the divergence of the normal over three distances, so that fine and coarse detail
-// count. Steps in depth count nothing.
+// client/raster/relief_rows.cpp has the same formulas for processors. Curvature is the divergence
+// of the normal over three distances, so that fine and coarse detail count. Steps in depth count
+// nothing.
 const char* const kReliefPixels = R"(
 uniform sampler2D occlusions;
 uniform int samples;
@@ -119,7 +120,7 @@ float light_around(Place at, ivec2 pixel, int index) {
     factor = radiance_scaling(tanh(1.2 * curvature(at, pixel, index)), at.strength);
   if (light_kind == 2) factor = cavity(curvature(at, pixel, index));
   if (occlusion > 0.0) factor *= 1.0 - occlusion * occlusion_at(at, pixel);
-  return mix(1.0, pow(factor, 1.0 / 2.2), at.part);
+  return mix(1.0, pow(factor, 1.0 / kGamma), at.part);
 }
 
 bool is_one_surface(ivec2 pixel, Place first) {

@@ -1,9 +1,23 @@
 #include "client/gl/shaders.h"
 
+#include "client/scene/shade_constants.h"
+
 namespace burnish {
 
+std::string shade_constants() {
+#define BURNISH_GLSL_VECTOR(name, x, y, z) "const vec3 " #name " = vec3(" #x ", " #y ", " #z ");\n"
+#define BURNISH_GLSL_NUMBER(name, value) "const float " #name " = " #value ";\n"
+  return BURNISH_SHADE_VECTORS(BURNISH_GLSL_VECTOR) BURNISH_SHADE_NUMBERS(BURNISH_GLSL_NUMBER);
+#undef BURNISH_GLSL_VECTOR
+#undef BURNISH_GLSL_NUMBER
+}
+
+std::string background_fragment_shader() {
+  return shade_constants() + kBackgroundFragmentPixels;
+}
+
 std::string page_fragment_shader() {
-  return std::string(kPageLights) + kPagePixels;
+  return shade_constants() + kPageLights + kPagePixels;
 }
 
 std::string occlusion_shader() {
@@ -11,7 +25,7 @@ std::string occlusion_shader() {
 }
 
 std::string relief_shader() {
-  return std::string(kReliefParts) + kReliefPixels;
+  return shade_constants() + kReliefParts + kReliefPixels;
 }
 
 const char* const kBackgroundVertexShader = R"(
@@ -23,11 +37,11 @@ void main() {
 }
 )";
 
-const char* const kBackgroundFragmentShader = R"(
+const char* const kBackgroundFragmentPixels = R"(
 in float height;
 out vec4 colour;
 void main() {
-  colour = vec4(mix(vec3(0.70, 0.72, 0.75), vec3(0.93, 0.94, 0.95), height), 1.0);
+  colour = vec4(mix(kBackgroundLow, kBackgroundHigh, height), 1.0);
 }
 )";
 

@@ -4,8 +4,8 @@
 
 namespace burnish {
 
-/// GLSL sources for ShaderProgram, without a version. Shading is computed in linear light and in
-/// camera space, so the light moves with the camera.
+/// GLSL sources for ShaderProgram, without a version and without shade_constants(). Shading is
+/// computed in linear light and in camera space, so the light moves with the camera.
 extern const char* const kPageVertexShader;
 extern const char* const kPageLights;       ///< part of page_fragment_shader(): every LightKind
 extern const char* const kPagePixels;       ///< part of page_fragment_shader(): the rest
@@ -13,7 +13,13 @@ extern const char* const kReliefParts;      ///< reads what ReliefTarget holds
 extern const char* const kOcclusionPixels;  ///< part of occlusion_shader()
 extern const char* const kReliefPixels;     ///< part of relief_shader()
 extern const char* const kBackgroundVertexShader;
-extern const char* const kBackgroundFragmentShader;
+extern const char* const kBackgroundFragmentPixels;  ///< part of background_fragment_shader()
+
+/// Returns client/scene/shade_constants.h in GLSL, which client/raster has too.
+std::string shade_constants();
+
+/// With kBackgroundVertexShader.
+std::string background_fragment_shader();
 
 /// With kPageVertexShader. Writes the lit colour, and for ReliefTarget the normal.
 std::string page_fragment_shader();

@@ -43,7 +43,7 @@ struct ShadeVector {
   X(kEdgeStrength, 0.55)           \
   X(kRingInnerPixels, 0.8)         \
   X(kRingOuterPixels, 1.8)         \
-  X(kGrazing, 0.02)
+  X(kGrazing, 0.02) /* cosine: the surface turns no farther from the eye */
 
 namespace shade {
 
