@@ -34,15 +34,16 @@ float occlusion_of(const ReliefPlaces& places, int x, int up, const std::array<S
                    float pixels) {
   const ReliefPlace at = places.at(x, up, 0);
   if (at.away == 0) return 0;
-  const float reach = pixels * places.pixel_length(at);
+  const float per_reach = 1 / (pixels * places.pixel_length(at));
   float sum = 0;
   for (const Step& step : steps) {
     const int to_x = x + step.x, to_up = up + step.up;
     if (to_x < 0 || to_up < 0 || to_x >= places.width() || to_up >= places.height()) continue;
-    const ReliefPlace other = places.at(to_x, to_up, 0);
-    if (other.away == 0) continue;
-    const ShadeVector to_other = other.position - at.position;
-    const float length = length_of(to_other), far = length / reach;
+    float away = 0;
+    const ShadeVector other = places.position(to_x, to_up, 0, away);
+    if (away == 0) continue;
+    const ShadeVector to_other = other - at.position;
+    const float length = length_of(to_other), far = length * per_reach;
     sum += greater(dot((1 / greater(length, 1e-9f)) * to_other, at.n) - 0.08f, 0) *
            greater(1 - far * far, 0);
   }

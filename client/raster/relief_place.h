@@ -24,7 +24,11 @@ class ReliefPlaces {
  public:
   ReliefPlaces(const PageProjection& projection, const Visibility& visibility,
                const SampleReliefs& reliefs)
-      : projection_(projection), visibility_(visibility), reliefs_(reliefs) {}
+      : projection_(projection),
+        visibility_(visibility),
+        reliefs_(reliefs),
+        across_(2 * projection.half_view.x() / static_cast<float>(visibility.size.width),
+                2 * projection.half_view.y() / static_cast<float>(visibility.size.height)) {}
 
   int width() const { return visibility_.size.width; }
   int height() const { return visibility_.size.height; }
@@ -38,45 +42,69 @@ class ReliefPlaces {
   }
 
   ReliefPlace at(int x, int up, int sample) const;
-  ShadeVector to_eye_from(const ReliefPlace& at) const {
-    return projection_.is_parallel ? ShadeVector{0, 0, 1} : unit(-1.0f * at.position);
-  }
+
+  /// Returns where a sample is, and how far away along the view: 0 if nothing is there.
+  ShadeVector position(int x, int up, int sample, float& away) const;
+
   float pixel_length(const ReliefPlace& at) const {
-    return 2 * projection_.half_view.y() / static_cast<float>(height()) *
-           (projection_.is_parallel ? 1.0f : at.away);
-  }
-  /// Returns how far another place lies from the plane of this one, in pixels.
-  float off_plane(const ReliefPlace& at, const ReliefPlace& other) const {
-    const float facing = greater(dot(at.n, to_eye_from(at)), 0.2f);
-    return __builtin_fabsf(dot(at.n, other.position - at.position)) / (facing * pixel_length(at));
+    return across_.y() * (projection_.is_parallel ? 1.0f : at.away);
   }
 
  private:
   const PageProjection& projection_;
   const Visibility& visibility_;
   const SampleReliefs& reliefs_;
+  Eigen::Vector2f across_;  // a pixel at distance 1
 };
 
-inline ReliefPlace ReliefPlaces::at(int x, int up, int sample) const {
-  const size_t sample_number = number(x, up, sample);
-  const SampleKey key = visibility_.keys[sample_number];
-  if (key == kNothingSeen) return {};
-  const SampleRelief& relief = reliefs_[sample_number];
+inline ShadeVector ReliefPlaces::position(int x, int up, int sample, float& away) const {
+  const SampleKey key = visibility_.keys[number(x, up, sample)];
+  away = 0;
+  if (key == kNothingSeen) return {0, 0, 0};
   const float nearness = nearness_of_key(key);
   const Eigen::Vector4f& terms = projection_.depth_terms;
-  const float away = (terms.x() + terms.y() * nearness) / (terms.z() + terms.w() * nearness);
+  away = (terms.x() + terms.y() * nearness) / (terms.z() + terms.w() * nearness);
   const float scale = projection_.is_parallel ? 1.0f : away;
   const float column = static_cast<float>(std::clamp(x, 0, width() - 1)) + 0.5f;
   const float row = static_cast<float>(std::clamp(up, 0, height() - 1)) + 0.5f;
-  const float across =
-      (2 * column / static_cast<float>(width()) - 1) * projection_.half_view.x() * scale;
-  const float above =
-      (2 * row / static_cast<float>(height()) - 1) * projection_.half_view.y() * scale;
-  return {unit({float(relief.normal[0]), float(relief.normal[1]), float(relief.normal[2])}),
-          away,
-          {across, above, -away},
-          static_cast<float>(relief.strength) / 65535,
-          static_cast<float>(relief.part) / 65535};
+  return {(column * across_.x() - projection_.half_view.x()) * scale,
+          (row * across_.y() - projection_.half_view.y()) * scale, -away};
 }
+
+inline ReliefPlace ReliefPlaces::at(int x, int up, int sample) const {
+  constexpr float kPerNormalStep = 1.0f / 32767, kPerStep = 1.0f / 65535;
+  ReliefPlace place;
+  place.position = position(x, up, sample, place.away);
+  if (place.away == 0) return place;
+  const SampleRelief& relief = reliefs_[number(x, up, sample)];
+  place.n = kPerNormalStep *
+            ShadeVector{float(relief.normal[0]), float(relief.normal[1]), float(relief.normal[2])};
+  place.strength = kPerStep * static_cast<float>(relief.strength);
+  place.part = kPerStep * static_cast<float>(relief.part);
+  return place;
+}
+
+/// A place with what the places around it are compared with.
+struct ReliefCentre {
+  ReliefCentre(const ReliefPlaces& places, const ReliefPlace& place)
+      : n(place.n),
+        position(place.position),
+        to_eye(places.projection().is_parallel ? ShadeVector{0, 0, 1}
+                                               : unit(-1.0f * place.position)),
+        right(unit(cross({0, 1, 0}, to_eye))),
+        up(cross(to_eye, right)),
+        facing(dot(place.n, to_eye)),
+        pixels_off(1 / (greater(facing, 0.2f) * places.pixel_length(place))) {}
+
+  /// Returns how far another place lies from the plane of this one, in pixels.
+  float off_plane(ShadeVector other) const {
+    return __builtin_fabsf(dot(n, other - position)) * pixels_off;
+  }
+
+  ShadeVector n, position;
+  ShadeVector to_eye, right, up;  ///< the frame of the eye's ray
+  float facing;                   ///< cosine of the normal to the eye
+  float pixels_off;               ///< per unit of distance from the plane
+};
 
 }  // namespace burnish

@@ -17,37 +17,38 @@ class SurroundingLight {
       : places_(places), occlusions_(occlusions), lighting_(lighting) {}
 
   // Multiplies the colour in sRGB.
-  float factor(const ReliefPlace& at, int x, int up, int sample) const {
-    if (at.away == 0) return 1;
+  float factor(const ReliefPlace& place, int x, int up, int sample) const {
+    if (place.away == 0) return 1;
+    const ReliefCentre at(places_, place);
     float light = 1;
     if (lighting_.kind == LightKind::kRadiance)
-      light = radiance_scaling(std::tanh(1.2f * curvature(at, x, up, sample)), at.strength);
+      light = radiance_scaling(std::tanh(1.2f * curvature(at, x, up, sample)), place.strength);
     if (lighting_.kind == LightKind::kCavity) light = cavity(curvature(at, x, up, sample));
     if (lighting_.occlusion > 0)
       light *= 1 - static_cast<float>(lighting_.occlusion) * occlusion_at(at, x, up);
-    return mixed(1.0f, power(greater(light, 0), 1 / shade::kGamma), at.part);
+    return mixed(1.0f, power(greater(light, 0), 1 / shade::kGamma), place.part);
   }
 
   bool is_one_surface(int x, int up, const ReliefPlace& first) const {
+    const ReliefCentre centre(places_, first);
     for (int i = 1; i < places_.samples(); ++i) {
-      const ReliefPlace other = places_.at(x, up, i);
-      if ((other.away == 0) != (first.away == 0)) return false;
-      if (first.away > 0 && places_.off_plane(first, other) > 4) return false;
+      float away = 0;
+      const ShadeVector other = places_.position(x, up, i, away);
+      if ((away == 0) != (first.away == 0)) return false;
+      if (first.away > 0 && centre.off_plane(other) > 4) return false;
     }
     return true;
   }
 
  private:
-  Turn turn_to(const ReliefPlace& at, const ReliefPlace& other, float distance) const {
+  static Turn turn_to(const ReliefCentre& at, const ReliefPlace& other, float distance) {
     if (other.away == 0) return {0, 0};
-    const float near = clamped(2 - places_.off_plane(at, other) / (1.5f * distance + 1));
-    const ShadeVector to_eye = places_.to_eye_from(at);
-    const ShadeVector right = unit(cross({0, 1, 0}, to_eye));
+    const float near = clamped(2 - at.off_plane(other.position) / (1.5f * distance + 1));
     const ShadeVector turn = other.n - at.n;
-    return {near * dot(turn, right), near * dot(turn, cross(to_eye, right))};
+    return {near * dot(turn, at.right), near * dot(turn, at.up)};
   }
 
-  float curvature(const ReliefPlace& at, int x, int up, int sample) const {
+  float curvature(const ReliefCentre& at, int x, int up, int sample) const {
     float sum = 0;
     for (const float wanted : {1.0f, 3.0f, 8.0f}) {
       const int reach =
@@ -58,7 +59,7 @@ class SurroundingLight {
       sum += by(reach, 0).right - by(-reach, 0).right;
       sum += by(0, reach).up - by(0, -reach).up;
     }
-    return sum * smooth_step(0.05f, 0.45f, dot(at.n, places_.to_eye_from(at)));
+    return sum * smooth_step(0.05f, 0.45f, at.facing);
   }
 
   // Vergne et al. 2010, equation 3.
@@ -76,13 +77,14 @@ class SurroundingLight {
     return greater(1 + (bend > 0 ? 0.9f * ridge : -1.2f * valley) * size, 0.05f);
   }
 
-  float occlusion_at(const ReliefPlace& at, int x, int up) const {
+  float occlusion_at(const ReliefCentre& at, int x, int up) const {
     float sum = 0, weights = 1e-4f;
     for (int dy = -2; dy < 2; ++dy)
       for (int dx = -2; dx < 2; ++dx) {
-        const ReliefPlace other = places_.at(x + dx, up + dy, 0);
-        if (other.away == 0) continue;
-        const float weight = clamped(2 - places_.off_plane(at, other) / 3);
+        float away = 0;
+        const ShadeVector other = places_.position(x + dx, up + dy, 0, away);
+        if (away == 0) continue;
+        const float weight = clamped(2 - at.off_plane(other) / 3);
         const size_t pixel = places_.number(x + dx, up + dy, 0) / places_.samples();
         sum += weight * static_cast<float>(occlusions_[pixel]) / 255;
         weights += weight;

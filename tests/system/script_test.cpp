@@ -84,8 +84,10 @@ std::string content_of(const std::filesystem::path& path) {
 
 TEST(Script, LightUpAxisViewAndProjectionChangeThePicture) {
   ServerProcess server;
-  const std::string sphere = write_sphere(server.folder, 3);
-  std::string script = "open " + sphere + "\nsize 300x200\nflat on\n";
+  // With hollows, for a ball has no occlusion.
+  const std::string blob = (server.folder / "blob.ply").string();
+  ASSERT_TRUE(write_mesh(generate_scan({"blob", 3000, 1}).value(), blob).is_ok());
+  std::string script = "open " + blob + "\nsize 300x200\nflat on\n";
   std::vector<std::filesystem::path> pictures;
   for (const std::string change : {"light clay", "light radiance", "occlusion 1", "up z",
                                    "view right", "orthographic on", "light_direction 0 10"}) {
