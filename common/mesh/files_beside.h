@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,10 +30,15 @@ class FilesBeside {
   virtual std::optional<std::string> locate(const std::string& path) const = 0;
 };
 
+/// Is asked before each picture is decoded, one at a time, with the bytes that its decoder takes
+/// beside the file. A failure ends the reading.
+using PictureBudget = std::function<Status(uint64_t bytes)>;
+
 /// The files beside a mesh file, and its own path among them.
 struct MeshSurroundings {
   const FilesBeside* files = nullptr;  ///< null: there are none
-  std::string path;
+  std::string path = {};
+  PictureBudget pictures = {};  ///< null: decoders take what they need
 };
 
 /// Returns the part of a path before its last '/'; empty if there is none.

@@ -6,6 +6,7 @@
 
 #include "common/base/atomic_file.h"
 #include "common/base/status.h"
+#include "common/mesh/files_beside.h"
 #include "common/mesh/stored_mesh.h"
 #include "common/mesh/triangle_mesh.h"
 
@@ -24,7 +25,8 @@ Result<TriangleMesh> read_ply(std::span<const uint8_t> bytes, const std::string&
 Result<TriangleMesh> read_obj(std::span<const uint8_t> bytes, const std::string& name);
 Result<TriangleMesh> read_stl(std::span<const uint8_t> bytes, const std::string& name);
 Result<TriangleMesh> read_off(std::span<const uint8_t> bytes, const std::string& name);
-Result<TriangleMesh> read_zip(std::span<const uint8_t> bytes, const std::string& name);
+Result<TriangleMesh> read_zip(std::span<const uint8_t> bytes, const std::string& name,
+                              const PictureBudget& pictures);
 /// Fill an empty mesh in scratch space.
 Status read_ply(std::span<const uint8_t> bytes, const std::string& name, GrowingMesh& mesh);
 Status read_obj(std::span<const uint8_t> bytes, const std::string& name, GrowingMesh& mesh);

@@ -30,8 +30,7 @@ static Result<TriangleMesh> read_textured_obj(std::span<const uint8_t> bytes,
                                               const MeshSurroundings& beside) {
   ASSIGN_OR_RETURN(TriangleMesh mesh, read_obj(bytes, name));
   if (mesh.has_colours() || beside.files == nullptr) return mesh;
-  ASSIGN_OR_RETURN(mesh.colours, obj_texture_colours(bytes, mesh.vertices.size(), beside.path,
-                                                     *beside.files, name));
+  ASSIGN_OR_RETURN(mesh.colours, obj_texture_colours(bytes, mesh.vertices.size(), beside, name));
   return mesh;
 }
 
@@ -50,7 +49,7 @@ static Result<TriangleMesh> parse_mesh(std::span<const uint8_t> bytes, MeshForma
     case MeshFormat::kGltf:
       return read_gltf(bytes, name, GltfFiles(beside).reader());
     case MeshFormat::kZip:
-      return read_zip(bytes, name);
+      return read_zip(bytes, name, beside.pictures);
   }
   return invalid_argument(name + ": unknown mesh format");
 }
@@ -104,11 +103,13 @@ bool is_read_into_scratch(MeshFormat format) {
 }
 
 Result<StoredMesh> read_stored_mesh(std::span<const uint8_t> bytes, MeshFormat format,
-                                    const std::string& name, const ScratchSpace& space) {
+                                    const std::string& name, const ScratchSpace& space,
+                                    const PictureBudget& pictures) {
   return read_checked(bytes, name, [&]() -> Result<StoredMesh> {
     const ReadIntoScratch read = scratch_reader_of(format);
     if (read == nullptr) {
-      ASSIGN_OR_RETURN(const TriangleMesh mesh, read_mesh(bytes, format, name));
+      ASSIGN_OR_RETURN(const TriangleMesh mesh,
+                       read_mesh(bytes, format, name, {.pictures = pictures}));
       return StoredMesh(mesh, space);
     }
     GrowingMesh growing(space);

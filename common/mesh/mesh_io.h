@@ -38,11 +38,14 @@ Result<TriangleMesh> read_mesh(std::span<const uint8_t> bytes, MeshFormat format
                                const std::string& name, const MeshSurroundings& beside = {});
 
 /// Reads a mesh from memory into scratch space. glTF and archives are read into memory and copied;
-/// the other formats go there at once. Fails: likewise.
+/// the other formats go there at once. `pictures` is asked for the memory that an archive's
+/// pictures take. Fails: likewise; as `pictures` does.
 Result<StoredMesh> read_stored_mesh(std::span<const uint8_t> bytes, MeshFormat format,
-                                    const std::string& name, const ScratchSpace& space);
+                                    const std::string& name, const ScratchSpace& space,
+                                    const PictureBudget& pictures = {});
 
-/// Returns how much memory read_mesh() may take for a file. Fails: as the file cannot be opened.
+/// Returns how much memory read_mesh() may take for a file, but for what it asks a PictureBudget.
+/// Fails: as the file cannot be opened.
 Result<uint64_t> reading_bytes_max(const std::filesystem::path& path, MeshFormat format);
 
 /// Returns whether read_stored_mesh() takes all of this from scratch space.

@@ -5,7 +5,8 @@
 
 #include "common/mesh/obj_files.h"
 #include "common/mesh/obj_texture_uses.h"
-#include "common/picture/picture.h"
+#include "common/picture/picture_rows.h"
+#include "common/picture/texture_samples.h"
 
 namespace burnish {
 
@@ -26,14 +27,26 @@ class ObjPainter {
     }
   }
 
-  /// Paints the vertices of all materials that have this picture.
-  void paint(const Picture& picture, const std::string& path) {
-    for (size_t v = 0; v < colours_.size(); ++v) {
-      const uint32_t m = uses_.material_of[v];
-      const uint32_t t = uses_.coordinate_of[v];
-      if (m == TextureUses::kNone || t == TextureUses::kNone) continue;
-      if (materials_[m].picture == path) colours_[v] = colour_at(materials_[m], t, picture);
+  /// Paints the vertices of all materials that have this picture. Fails: as read_picture_rows(); as
+  /// the budget does.
+  Status paint(std::span<const uint8_t> file, const std::string& path, const std::string& name,
+               const PictureBudget& budget) {
+    const std::vector<uint32_t> vertices = painted_by(path);
+    TextureSamples samples(vertices.size());
+    PictureSize size;
+    const auto begin = [&](const PictureSize& announced) {
+      size = announced;
+      for (const uint32_t v : vertices) samples.add(place_of(v, size));
+      samples.sort();
+      return budget ? budget(size.decoding_bytes) : Status::ok();
+    };
+    const auto take = [&](const PixelRun& run) { samples.take(run); };
+    RETURN_IF_ERROR(read_picture_rows(file, name, {begin, take}));
+    for (size_t i = 0; i < vertices.size(); ++i) {
+      colours_[vertices[i]] = mixed_colour(samples.pixels(i), place_of(vertices[i], size));
+      colours_[vertices[i]][3] = 255;  // the surface is drawn as solid, whatever a material says
     }
+    return Status::ok();
   }
 
   std::vector<Rgba8> take() {
@@ -43,13 +56,26 @@ class ObjPainter {
   }
 
  private:
-  /// A material's transparency is its own affair: the surface is drawn as solid.
-  Rgba8 colour_at(const Material& material, uint32_t coordinate, const Picture& picture) const {
-    const auto& [u, v] = uses_.coordinates[coordinate];
-    Rgba8 colour = sample_texture(picture, material.scale[0] * u + material.offset[0],
-                                  1 - (material.scale[1] * v + material.offset[1]), material.wraps);
-    colour[3] = 255;
-    return colour;
+  bool is_painted_by(size_t vertex, const std::string& path) const {
+    const uint32_t m = uses_.material_of[vertex];
+    return m != TextureUses::kNone && uses_.coordinate_of[vertex] != TextureUses::kNone &&
+           materials_[m].picture == path;
+  }
+
+  std::vector<uint32_t> painted_by(const std::string& path) const {
+    std::vector<uint32_t> vertices;
+    for (size_t v = 0; v < colours_.size(); ++v)
+      if (is_painted_by(v, path)) vertices.push_back(static_cast<uint32_t>(v));
+    return vertices;
+  }
+
+  /// Returns the pixels around a painted vertex.
+  PixelSquare place_of(uint32_t vertex, const PictureSize& size) const {
+    const Material& material = materials_[uses_.material_of[vertex]];
+    const auto& [u, v] = uses_.coordinates[uses_.coordinate_of[vertex]];
+    return pixels_around(material.scale[0] * u + material.offset[0],
+                         1 - (material.scale[1] * v + material.offset[1]), size.width, size.height,
+                         material.wraps);
   }
 
   const std::vector<Material>& materials_;
@@ -69,19 +95,18 @@ std::vector<std::string> pictures_of(const std::vector<Material>& materials) {
 }  // namespace
 
 Result<std::vector<Rgba8>> obj_texture_colours(std::span<const uint8_t> obj, size_t vertices,
-                                               const std::string& path, const FilesBeside& beside,
+                                               const MeshSurroundings& beside,
                                                const std::string& name) {
-  const auto files = find_obj_files(obj, path, beside);
+  const auto files = find_obj_files(obj, beside.path, *beside.files);
   if (!files.is_ok()) return files.status().with_context(name);
   if (files->materials.empty()) return std::vector<Rgba8>();
   ObjPainter painter(files->materials, gather_texture_uses(obj, vertices, files->materials));
   painter.paint_diffuse();
   for (const std::string& each : pictures_of(files->materials)) {
-    ASSIGN_OR_RETURN(const auto bytes, beside.read(each));
-    const auto picture = read_picture(bytes, name + ": " + each);
-    if (picture.status().code() == StatusCode::kUnimplemented) continue;
-    RETURN_IF_ERROR(picture.status());
-    painter.paint(*picture, each);
+    ASSIGN_OR_RETURN(const auto bytes, beside.files->read(each));
+    const Status painted = painter.paint(bytes, each, name + ": " + each, beside.pictures);
+    if (painted.code() == StatusCode::kUnimplemented) continue;
+    RETURN_IF_ERROR(painted);
   }
   return painter.take();
 }

@@ -7,15 +7,17 @@
 
 namespace burnish {
 
-Result<TriangleMesh> read_zip(std::span<const uint8_t> bytes, const std::string& name) {
+Result<TriangleMesh> read_zip(std::span<const uint8_t> bytes, const std::string& name,
+                              const PictureBudget& pictures) {
   ASSIGN_OR_RETURN(const Archive archive, Archive::open(bytes, name));
   ASSIGN_OR_RETURN(const ArchivedMesh mesh, find_mesh(archive));
   ASSIGN_OR_RETURN(const auto content, archive.read(mesh.entry));
   const ArchiveFiles files(archive);
-  return read_mesh(content, mesh.format, name + ": " + mesh.path, {&files, mesh.path});
+  return read_mesh(content, mesh.format, name + ": " + mesh.path, {&files, mesh.path, pictures});
 }
 
-/// The archive's files are unpacked one at a time: the mesh first, then the pictures.
+/// The archive's files are unpacked one at a time: the mesh first, then the pictures. A
+/// picture is decoded row by row; what its decoder takes is asked for when its header is known.
 Result<uint64_t> predict_zip_reading_bytes(std::span<const uint8_t> bytes,
                                            const std::string& name) {
   ASSIGN_OR_RETURN(const Archive archive, Archive::open(bytes, name));
@@ -27,7 +29,7 @@ Result<uint64_t> predict_zip_reading_bytes(std::span<const uint8_t> bytes,
     if (is_picture) largest_picture = std::max(largest_picture, entry.size_bytes);
     if (!is_picture) mesh_bytes += entry.size_bytes;
   }
-  return mesh_bytes * kReadingBytesPerFileByte + largest_picture * kPictureMemoryPerByte;
+  return mesh_bytes * kReadingBytesPerFileByte + largest_picture;
 }
 
 }  // namespace burnish

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <jerror.h>
 #include <jpeglib.h>
+#include <vector>
 
 #include "common/picture/picture_formats.h"
 
@@ -11,6 +12,8 @@ namespace burnish {
 namespace {
 
 constexpr int kScansMax = 100;  // a small progressive file may ask for thousands of passes
+constexpr uint64_t kJpegDecoderBytes = uint64_t{1} << 18;
+constexpr uint64_t kJpegBytesPerColumn = 512;  // rows of blocks, before and after they are enlarged
 
 /// The state of one decoding. libjpeg leaves by longjmp, so no frame between has a destructor.
 struct JpegDecoding {
@@ -54,17 +57,37 @@ bool read_header(JpegDecoding& decoding, std::span<const uint8_t> bytes) {
   return true;
 }
 
-bool read_rows(JpegDecoding& decoding, Picture& picture) {
+bool begin_rows(JpegDecoding& decoding) {
   if (setjmp(decoding.failed) != 0) return false;
   decoding.jpeg.out_color_space = JCS_EXT_RGBA;
   jpeg_start_decompress(&decoding.jpeg);
-  while (decoding.jpeg.output_scanline < decoding.jpeg.output_height) {
-    const size_t first = size_t{decoding.jpeg.output_scanline} * picture.width;
-    JSAMPROW row = reinterpret_cast<JSAMPROW>(picture.pixels.data() + first);
-    jpeg_read_scanlines(&decoding.jpeg, &row, 1);
-  }
+  return true;
+}
+
+bool read_row(JpegDecoding& decoding, Rgba8* pixels) {
+  if (setjmp(decoding.failed) != 0) return false;
+  JSAMPROW row = reinterpret_cast<JSAMPROW>(pixels);
+  jpeg_read_scanlines(&decoding.jpeg, &row, 1);
+  return true;
+}
+
+bool end_rows(JpegDecoding& decoding) {
+  if (setjmp(decoding.failed) != 0) return false;
   jpeg_finish_decompress(&decoding.jpeg);
   return true;
+}
+
+/// A file of several scans has its coefficients in memory until the last scan has been read.
+uint64_t decoding_bytes_of(jpeg_decompress_struct& jpeg) {
+  uint64_t bytes = kJpegDecoderBytes + jpeg.image_width * kJpegBytesPerColumn;
+  if (!jpeg_has_multiple_scans(&jpeg)) return bytes;
+  for (int c = 0; c < jpeg.num_components; ++c) {
+    const jpeg_component_info& component = jpeg.comp_info[c];
+    const uint64_t columns = uint64_t{component.width_in_blocks} + component.h_samp_factor;
+    const uint64_t rows = uint64_t{component.height_in_blocks} + component.v_samp_factor;
+    bytes += columns * rows * sizeof(JBLOCK);
+  }
+  return bytes;
 }
 
 /// Frees libjpeg's memory.
@@ -91,21 +114,26 @@ Status jpeg_failure(const JpegDecoding& decoding) {
 
 }  // namespace
 
-Result<Picture> read_jpeg_picture(std::span<const uint8_t> bytes) {
+Status read_jpeg_rows(std::span<const uint8_t> bytes, const PictureTaker& taker) {
   JpegDecoding decoding;
   prepare_decoding(decoding);
   const JpegCleaner cleaner(decoding.jpeg);
   if (!read_header(decoding, bytes)) return jpeg_failure(decoding);
-  const auto& jpeg = decoding.jpeg;
-  RETURN_IF_ERROR(check_picture_size(jpeg.image_width, jpeg.image_height, bytes.size()));
+  auto& jpeg = decoding.jpeg;
   if (jpeg.num_components != 1 && jpeg.num_components != 3)
     return unimplemented("the JPEG has " + std::to_string(jpeg.num_components) +
                          " colour channels; only 1 and 3 are read");
-  Picture picture{jpeg.image_width, jpeg.image_height, {}};
-  picture.pixels.resize(size_t{picture.width} * picture.height);
-  if (!read_rows(decoding, picture)) return jpeg_failure(decoding);
+  const PictureSize size{jpeg.image_width, jpeg.image_height, decoding_bytes_of(jpeg)};
+  RETURN_IF_ERROR(begin_picture(size, bytes.size(), taker));
+  std::vector<Rgba8> row(size.width);
+  if (!begin_rows(decoding)) return jpeg_failure(decoding);
+  for (uint32_t y = 0; y < size.height; ++y) {
+    if (!read_row(decoding, row.data())) return jpeg_failure(decoding);
+    taker.take({y, 0, 1, row});
+  }
+  if (!end_rows(decoding)) return jpeg_failure(decoding);
   if (decoding.is_cut) return invalid_argument("the JPEG ends before its last row");
-  return picture;
+  return Status::ok();
 }
 
 }  // namespace burnish

@@ -19,9 +19,7 @@ struct Picture {
   const Rgba8& at(uint32_t x, uint32_t y) const { return pixels[size_t{y} * width + x]; }
 };
 
-/// Decodes a PNG or JPEG file. `name` is for messages. Its size is checked before it is decoded.
-/// Fails: unimplemented (another kind of picture); invalid_argument that names the value and the
-/// limit (too large, damaged, cut off); resource_exhausted.
+/// Decodes a small PNG or JPEG file into memory. Fails: as read_picture_rows().
 Result<Picture> read_picture(std::span<const uint8_t> bytes, const std::string& name);
 
 }  // namespace burnish

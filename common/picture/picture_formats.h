@@ -4,16 +4,16 @@
 #include <span>
 
 #include "common/base/status.h"
-#include "common/picture/picture.h"
+#include "common/picture/picture_rows.h"
 
 namespace burnish {
 
 /// Private to this folder: a reader for each kind. Messages do not name the file.
-Result<Picture> read_png_picture(std::span<const uint8_t> bytes);
-Result<Picture> read_jpeg_picture(std::span<const uint8_t> bytes);
+Status read_png_rows(std::span<const uint8_t> bytes, const PictureTaker& taker);
+Status read_jpeg_rows(std::span<const uint8_t> bytes, const PictureTaker& taker);
 
 /// Fails: invalid_argument if there are no pixels, more than kPicturePixelsMax, or more than a file
-/// of this size can mean.
-Status check_picture_size(uint64_t width, uint64_t height, uint64_t file_bytes);
+/// of this size can mean; as the taker's begin() does.
+Status begin_picture(const PictureSize& size, uint64_t file_bytes, const PictureTaker& taker);
 
 }  // namespace burnish

@@ -1,32 +1,121 @@
+#include <algorithm>
+#include <csetjmp>
+#include <cstdio>
 #include <png.h>
+#include <vector>
 
 #include "common/picture/picture_formats.h"
 
 namespace burnish {
 
-static Status png_failure(png_image& header) {
-  const Status status = invalid_argument(std::string("libpng: ") + header.message);
-  png_image_free(&header);
-  return status;
+namespace {
+
+constexpr uint64_t kPngDecoderBytes = uint64_t{1} << 18;  // zlib's window, libpng's buffers
+constexpr uint64_t kPngBytesPerColumn = 3 * 8 + 4;        // three rows of 16 bits, one of ours
+
+/// The state of one decoding. libpng leaves by longjmp, so no frame between has a destructor.
+struct PngDecoding {
+  explicit PngDecoding(std::span<const uint8_t> file) : left(file) {}
+  ~PngDecoding() { png_destroy_read_struct(&png, &info, nullptr); }
+
+  std::span<const uint8_t> left;
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+  std::string message;
+  std::vector<Rgba8> row;
+};
+
+[[noreturn]] void leave(png_structp png, png_const_charp message) {
+  static_cast<PngDecoding*>(png_get_error_ptr(png))->message = message;
+  png_longjmp(png, 1);
 }
 
-Result<Picture> read_png_picture(std::span<const uint8_t> bytes) {
-  png_image header = {};
-  header.version = PNG_IMAGE_VERSION;
-  if (!png_image_begin_read_from_memory(&header, bytes.data(), bytes.size()))
-    return png_failure(header);
-  const Status size = check_picture_size(header.width, header.height, bytes.size());
-  if (!size.is_ok()) {
-    png_image_free(&header);
-    return size;
+void ignore_warning(png_structp, png_const_charp) {}
+
+void give_bytes(png_structp png, png_bytep to, size_t count) {
+  auto& left = static_cast<PngDecoding*>(png_get_io_ptr(png))->left;
+  if (count > left.size()) png_error(png, "the file ends early");
+  std::copy_n(left.begin(), count, to);
+  left = left.subspan(count);
+}
+
+/// Each step returns false where libpng failed; `message` then says why.
+bool read_header(PngDecoding& decoding) {
+  if (setjmp(png_jmpbuf(decoding.png)) != 0) return false;
+  png_read_info(decoding.png, decoding.info);
+  return true;
+}
+
+/// Asks for sRGB with alpha in 8 bits a channel. A file that does not say its gamma is in sRGB.
+bool choose_pixels(PngDecoding& decoding) {
+  png_structp png = decoding.png;
+  if (setjmp(png_jmpbuf(png)) != 0) return false;
+  png_set_alpha_mode(png, PNG_ALPHA_PNG, PNG_DEFAULT_sRGB);
+  png_set_expand(png);
+  png_set_gray_to_rgb(png);
+  png_set_scale_16(png);
+  png_set_add_alpha(png, 0xff, PNG_FILLER_AFTER);
+  png_read_update_info(png, decoding.info);
+  return png_get_rowbytes(png, decoding.info) ==
+         sizeof(Rgba8) * size_t{png_get_image_width(png, decoding.info)};
+}
+
+bool read_row(PngDecoding& decoding) {
+  if (setjmp(png_jmpbuf(decoding.png)) != 0) return false;
+  png_read_row(decoding.png, reinterpret_cast<png_bytep>(decoding.row.data()), nullptr);
+  return true;
+}
+
+Status png_failure(const PngDecoding& decoding) {
+  return invalid_argument("libpng: " + decoding.message);
+}
+
+/// A pass of an interlaced picture, or the whole of another.
+struct Pass {
+  uint32_t first_row = 0, row_step = 1;
+  uint32_t first = 0, step = 1;
+};
+
+std::vector<Pass> passes_of(bool is_interlaced) {
+  if (!is_interlaced) return {Pass{}};
+  std::vector<Pass> passes;
+  for (int p = 0; p < PNG_INTERLACE_ADAM7_PASSES; ++p)
+    passes.push_back({PNG_PASS_START_ROW(p), PNG_PASS_ROW_OFFSET(p), PNG_PASS_START_COL(p),
+                      PNG_PASS_COL_OFFSET(p)});
+  return passes;
+}
+
+bool read_pass(PngDecoding& decoding, const Pass& pass, const PictureSize& size,
+               const PictureTaker& taker) {
+  if (pass.first >= size.width) return true;
+  const size_t columns = (size.width - pass.first + pass.step - 1) / pass.step;
+  for (uint32_t y = pass.first_row; y < size.height; y += pass.row_step) {
+    if (!read_row(decoding)) return false;
+    taker.take({y, pass.first, pass.step, std::span(decoding.row).first(columns)});
   }
-  header.format = PNG_FORMAT_RGBA;
-  header.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
-  Picture picture{header.width, header.height, {}};
-  picture.pixels.resize(size_t{header.width} * header.height);
-  if (!png_image_finish_read(&header, nullptr, picture.pixels.data(), 0, nullptr))
-    return png_failure(header);
-  return picture;
+  return true;
+}
+
+}  // namespace
+
+Status read_png_rows(std::span<const uint8_t> bytes, const PictureTaker& taker) {
+  PngDecoding decoding(bytes);
+  decoding.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &decoding, leave, ignore_warning);
+  if (decoding.png != nullptr) decoding.info = png_create_info_struct(decoding.png);
+  if (decoding.info == nullptr) return resource_exhausted("not enough memory for libpng");
+  png_set_read_fn(decoding.png, &decoding, give_bytes);
+  if (!read_header(decoding)) return png_failure(decoding);
+  PictureSize size{png_get_image_width(decoding.png, decoding.info),
+                   png_get_image_height(decoding.png, decoding.info), kPngDecoderBytes};
+  size.decoding_bytes += size.width * kPngBytesPerColumn;
+  RETURN_IF_ERROR(begin_picture(size, bytes.size(), taker));
+  if (!choose_pixels(decoding)) return png_failure(decoding);
+  decoding.row.resize(size.width);
+  const bool is_interlaced =
+      png_get_interlace_type(decoding.png, decoding.info) == PNG_INTERLACE_ADAM7;
+  for (const Pass& pass : passes_of(is_interlaced))
+    if (!read_pass(decoding, pass, size, taker)) return png_failure(decoding);
+  return Status::ok();
 }
 
 }  // namespace burnish

@@ -7,13 +7,6 @@ namespace burnish {
 
 namespace {
 
-/// The two pixels around a coordinate, and the second one's weight.
-struct PixelPair {
-  uint32_t first;
-  uint32_t second;
-  double weight;
-};
-
 double into_picture(double x, TextureWrap wrap) {
   if (!std::isfinite(x)) return 0;
   if (wrap == TextureWrap::kClamp) return std::clamp(x, 0.0, 1.0);
@@ -43,18 +36,25 @@ double mixed(double a, double b, double weight) {
 
 }  // namespace
 
-Rgba8 sample_texture(const Picture& picture, double u, double v, const TextureWraps& wraps) {
-  const PixelPair x = pixels_at(u, picture.width, wraps.u);
-  const PixelPair y = pixels_at(v, picture.height, wraps.v);
-  const Rgba8& a = picture.at(x.first, y.first);
-  const Rgba8& b = picture.at(x.second, y.first);
-  const Rgba8& c = picture.at(x.first, y.second);
-  const Rgba8& d = picture.at(x.second, y.second);
+PixelSquare pixels_around(double u, double v, uint32_t width, uint32_t height,
+                          const TextureWraps& wraps) {
+  return {pixels_at(u, width, wraps.u), pixels_at(v, height, wraps.v)};
+}
+
+Rgba8 mixed_colour(const std::array<Rgba8, 4>& pixels, const PixelSquare& at) {
+  const auto& [a, b, c, d] = pixels;
   Rgba8 colour;
   for (size_t i = 0; i < colour.size(); ++i)
-    colour[i] = static_cast<uint8_t>(
-        std::lround(mixed(mixed(a[i], b[i], x.weight), mixed(c[i], d[i], x.weight), y.weight)));
+    colour[i] = static_cast<uint8_t>(std::lround(
+        mixed(mixed(a[i], b[i], at.x.weight), mixed(c[i], d[i], at.x.weight), at.y.weight)));
   return colour;
+}
+
+Rgba8 sample_texture(const Picture& picture, double u, double v, const TextureWraps& wraps) {
+  const PixelSquare at = pixels_around(u, v, picture.width, picture.height, wraps);
+  return mixed_colour({picture.at(at.x.first, at.y.first), picture.at(at.x.second, at.y.first),
+                       picture.at(at.x.first, at.y.second), picture.at(at.x.second, at.y.second)},
+                      at);
 }
 
 }  // namespace burnish

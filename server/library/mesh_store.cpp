@@ -111,7 +111,7 @@ Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& i
   LibraryBudget budget(memory_, folder_.scans(), options_.device_memory_bytes_max);
   RETURN_IF_ERROR(budget.ask_to_read(original, header.format));
   ASSIGN_OR_RETURN(const auto mesh,
-                   read_original(original, header.format, header.name, budget.space()));
+                   read_original(original, header.format, header.name, budget, progress));
   ASSIGN_OR_RETURN(auto prepared, prepare(mesh->view(), mesh,
                                           {header.key.depth, header.key.curvature_radius,
                                            options_.threads, &budget, budget.space()},

@@ -79,7 +79,7 @@ Status MeshStore::make_pages(const std::string& id, const Progress& progress) {
   LibraryBudget budget(memory_, folder_.scans());
   RETURN_IF_ERROR(budget.ask_to_read(folder / original_file_name(scan.format), scan.format));
   ASSIGN_OR_RETURN(const auto mesh, read_original(folder / original_file_name(scan.format),
-                                                  scan.format, scan.name, budget.space()));
+                                                  scan.format, scan.name, budget, progress));
   const MeshStatistics statistics = compute_statistics(mesh->view(), budget.space());
   return build_pages({mesh->vertices, mesh->triangles, mesh->colours, statistics}, pages_path(id),
                      {options_.threads, &budget, budget.space()}, progress);

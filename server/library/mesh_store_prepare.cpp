@@ -57,7 +57,7 @@ Status MeshStore::rebuild(const std::string& id, const PreparedKey& key, const P
   LibraryBudget budget(memory_, folder_.scans(), options_.device_memory_bytes_max);
   RETURN_IF_ERROR(budget.ask_to_read(folder / original_file_name(scan.format), scan.format));
   ASSIGN_OR_RETURN(const auto mesh, read_original(folder / original_file_name(scan.format),
-                                                  scan.format, scan.name, budget.space()));
+                                                  scan.format, scan.name, budget, progress));
   ASSIGN_OR_RETURN(const auto prepared, prepare(mesh->view(), mesh,
                                                 {key.depth, key.curvature_radius, options_.threads,
                                                  &budget, budget.space()},

@@ -28,10 +28,15 @@ Status LibraryBudget::take(uint64_t bytes) {
 
 Status LibraryBudget::ask_to_read(const std::filesystem::path& file, MeshFormat format) {
   ASSIGN_OR_RETURN(const uint64_t bytes, reading_bytes_max(file, format));
+  reading_bytes_ = bytes;
   if (!is_read_into_scratch(format)) return take(bytes).with_context("reading the mesh file");
   const uint64_t in_memory = std::min(bytes, space_.memory_bytes_max());
   RETURN_IF_ERROR(check_disk_space(folder_, bytes - in_memory));
   return take(in_memory).with_context("reading the mesh file");
+}
+
+Status LibraryBudget::ask_for_picture(uint64_t bytes) {
+  return take(reading_bytes_ + bytes).with_context("decoding it");
 }
 
 Status LibraryBudget::ask(const PreparationNeed& need) {

@@ -26,6 +26,10 @@ class LibraryBudget : public PreparationBudget {
   /// cannot be opened.
   Status ask_to_read(const std::filesystem::path& file, MeshFormat format);
 
+  /// Call during the reading, before each picture's decoder takes so many bytes. Fails:
+  /// resource_exhausted with the numbers.
+  Status ask_for_picture(uint64_t bytes);
+
   uint64_t memory_bytes_max() const override { return bytes_max_; }
   uint64_t default_depth_bytes_max() const override;
   uint64_t scratch_bytes_max() const override;
@@ -41,6 +45,7 @@ class LibraryBudget : public PreparationBudget {
   const uint64_t device_bytes_max_;
   const uint64_t bytes_max_;
   const ScratchSpace space_;
+  uint64_t reading_bytes_ = 0;  // without pictures
   Quota::Share share_;
 };
 

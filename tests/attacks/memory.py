@@ -10,6 +10,7 @@ from attack import MIB, Attack
 from client import Client, end_of, outcome_of, request
 
 CALLS_IN_FLIGHT = 60
+ZIP = 6  # MESH_FORMAT_ZIP
 
 
 class TinyScanTakesNoGigabytes(Attack):
@@ -31,6 +32,23 @@ class TinyScanTakesNoGigabytes(Attack):
         if disk > self.disk_mib_max:
             self.hole("%d MiB of disk for a scan of %d bytes" % (disk, len(file)))
         return "%d bytes: %s, %d MiB of disk" % (len(file), outcome[:120], disk)
+
+
+class PicturesTakeNoMemoryForTheirPixels(Attack):
+    """An archive of kilobytes with a picture of 224 million pixels."""
+    finding = "N4"
+    config = "[limits]\nmemory_bytes_max = 300000000\n"
+    growth_mib_max = 150
+    answer_s_max = 10
+
+    def attack(self, server):
+        mallory, file = Client(server, "mallory"), scans.textured_zip(15000, 14900)
+        try:
+            mallory.import_scan("skin", file, 4, scans.sha256(file), format=ZIP)
+            outcome = "accepted"
+        except grpc.RpcError as error:
+            outcome = error.code().name + ": " + error.details()
+        return "%d bytes: %s" % (len(file), outcome[:160])
 
 
 class OtherRadiiFillNoDisk(Attack):

@@ -1,8 +1,11 @@
 """Generated scans, as the bytes of a PLY file, with their SHA-256."""
 
 import hashlib
+import io
 import math
 import struct
+import zipfile
+import zlib
 
 HEADER = """ply
 format binary_little_endian 1.0
@@ -51,3 +54,29 @@ def sphere(rows):
             a, b = row * columns + column, row * columns + (column + 1) % columns
             triangles += [(a, a + columns, b), (b, a + columns, b + columns)]
     return _ply(vertices, triangles)
+
+
+def _png_of_zeros(width, height):
+    """Grey pixels, all zero. A comment makes the file large enough for so many pixels."""
+    packer, rows = zlib.compressobj(9), b""
+    for _ in range(height):
+        rows += packer.compress(bytes(width + 1))
+    rows += packer.flush()
+    header = struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0)
+    comment = b"Comment" + bytes(8000)
+    chunks = ((b"IHDR", header), (b"tEXt", comment), (b"IDAT", rows), (b"IEND", b""))
+    return b"\x89PNG\r\n\x1a\n" + b"".join(
+        struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+        for kind, body in chunks)
+
+
+def textured_zip(width, height):
+    """A square as OBJ with a picture of zeros, in a small archive."""
+    obj = ("mtllib s.mtl\nusemtl s\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0.1\n"
+           "vt 0 0\nvt 1 0\nvt 0 1\nvt 1 1\nf 1/1 2/2 3/3\nf 2/2 4/4 3/3\n")
+    file = io.BytesIO()
+    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
+        archive.writestr("s.obj", obj)
+        archive.writestr("s.mtl", "newmtl s\nmap_Kd s.png\n")
+        archive.writestr("s.png", _png_of_zeros(width, height))
+    return file.getvalue()

@@ -24,6 +24,22 @@ TEST(ZipReader, TexturesInTheArchiveBecomeColours) {
   EXPECT_EQ(parsed(MeshFormat::kZip, as_string(packed(files))).colours, square_colours());
 }
 
+TEST(ZipReader, APicturesMemoryIsAskedForAndARefusalNamesItAndItsSize) {
+  const NamedTexts files = {{"skin.png", png_of(square_picture())},
+                            {"square.obj", kSquareObj},
+                            {"square.mtl", kSquareMtl}};
+  const std::string zip = as_string(packed(files));
+  const auto refuse = [](uint64_t bytes) {
+    return resource_exhausted(std::to_string(bytes) + " bytes are too many");
+  };
+  const auto read = read_stored_mesh({reinterpret_cast<const uint8_t*>(zip.data()), zip.size()},
+                                     MeshFormat::kZip, "scan", ScratchSpace(), refuse);
+  EXPECT_EQ(read.status().code(), StatusCode::kResourceExhausted);
+  const std::string sides =
+      std::to_string(square_picture().width) + "x" + std::to_string(square_picture().height);
+  EXPECT_THAT(read.status().message(), HasSubstr("skin.png: picture of " + sides + " pixels"));
+}
+
 TEST(ZipReader, PicturesBesideTheObjsFolderAreFound) {
   const NamedTexts files = {{"textures/skin.png", png_of(square_picture())},
                             {"source/square.obj", kSquareObj},

@@ -37,8 +37,28 @@ inline std::string png_of(const Picture& picture) {
   return file;
 }
 
-/// Returns the picture as a JPEG file of the best quality.
-inline std::string jpeg_of(const Picture& picture) {
+/// Returns the picture as an interlaced PNG file.
+inline std::string interlaced_png_of(const Picture& picture) {
+  std::string file;
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_infop info = png_create_info_struct(png);
+  const auto append = [](png_structp to, png_bytep bytes, size_t count) {
+    static_cast<std::string*>(png_get_io_ptr(to))->append(reinterpret_cast<char*>(bytes), count);
+  };
+  png_set_write_fn(png, &file, append, nullptr);
+  png_set_IHDR(png, info, picture.width, picture.height, 8, PNG_COLOR_TYPE_RGB_ALPHA,
+               PNG_INTERLACE_ADAM7, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  std::vector<png_bytep> rows;
+  for (uint32_t y = 0; y < picture.height; ++y)
+    rows.push_back(reinterpret_cast<png_bytep>(const_cast<Rgba8*>(&picture.at(0, y))));
+  png_set_rows(png, info, rows.data());
+  png_write_png(png, info, PNG_TRANSFORM_IDENTITY, nullptr);
+  png_destroy_write_struct(&png, &info);
+  return file;
+}
+
+/// Returns the picture as a JPEG file of the best quality; a progressive one has several scans.
+inline std::string jpeg_of(const Picture& picture, bool is_progressive = false) {
   jpeg_compress_struct jpeg = {};
   jpeg_error_mgr errors = {};
   jpeg.err = jpeg_std_error(&errors);
@@ -52,6 +72,7 @@ inline std::string jpeg_of(const Picture& picture) {
   jpeg.in_color_space = JCS_EXT_RGBA;
   jpeg_set_defaults(&jpeg);
   jpeg_set_quality(&jpeg, 100, TRUE);
+  if (is_progressive) jpeg_simple_progression(&jpeg);
   jpeg_start_compress(&jpeg, TRUE);
   while (jpeg.next_scanline < jpeg.image_height) {
     const auto* first = &picture.pixels[size_t{jpeg.next_scanline} * picture.width];

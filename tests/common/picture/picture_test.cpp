@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/picture/picture_rows.h"
 #include "tests/common/picture/encoding.h"
 
 namespace burnish {
@@ -54,6 +55,41 @@ TEST(Picture, JpegIsReadNearly) {
   for (size_t i = 0; i < made.pixels.size(); ++i)
     for (size_t channel = 0; channel < 4; ++channel)
       EXPECT_NEAR(picture->pixels[i][channel], made.pixels[i][channel], 12) << i;
+}
+
+TEST(Picture, InterlacedPngIsReadExactly) {
+  for (const uint32_t side : {1u, 3u, 5u, 8u, 21u}) {
+    const Picture made = drawn(side, side + 4, [](uint32_t x, uint32_t y) {
+      return Rgba8{static_cast<uint8_t>(8 * x), static_cast<uint8_t>(9 * y), 7, 200};
+    });
+    const auto picture = read(interlaced_png_of(made));
+    ASSERT_TRUE(picture.is_ok()) << picture.status().message();
+    EXPECT_EQ(picture->pixels, made.pixels) << side;
+  }
+}
+
+/// Returns the memory that the decoder of a file announces, without decoding it.
+uint64_t announced_bytes(const std::string& file) {
+  uint64_t bytes = 0;
+  const auto begin = [&](const PictureSize& size) {
+    bytes = size.decoding_bytes;
+    return cancelled("asked");
+  };
+  const auto take = [](const PixelRun&) { FAIL() << "decoded in spite of the refusal"; };
+  const std::span bytes_of{reinterpret_cast<const uint8_t*>(file.data()), file.size()};
+  const Status status = read_picture_rows(bytes_of, "skin", {begin, take});
+  EXPECT_EQ(status.code(), StatusCode::kCancelled);
+  EXPECT_THAT(status.message(), HasSubstr("skin: picture of "));
+  return bytes;
+}
+
+TEST(Picture, OnlyAJpegOfSeveralScansTakesMemoryForItsPixels) {
+  const Picture wide = drawn(64, 4096, [](uint32_t, uint32_t) { return Rgba8{1, 2, 3, 255}; });
+  EXPECT_LT(announced_bytes(png_of(wide)), 400'000u);
+  EXPECT_LT(announced_bytes(interlaced_png_of(wide)), 400'000u);
+  EXPECT_LT(announced_bytes(jpeg_of(wide)), 400'000u);
+  EXPECT_GT(announced_bytes(jpeg_of(wide, true)), uint64_t{64 * 4096 * 3});
+  EXPECT_TRUE(read(jpeg_of(wide, true)).is_ok());
 }
 
 TEST(Picture, TooManyPixelsAreRefusedBeforeDecoding) {

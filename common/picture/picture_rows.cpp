@@ -1,0 +1,51 @@
+#include "common/picture/picture_rows.h"
+
+#include <algorithm>
+#include <array>
+#include <new>
+
+#include "common/base/limits.h"
+#include "common/picture/picture_formats.h"
+
+namespace burnish {
+
+constexpr std::array<uint8_t, 8> kPngMagic = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+constexpr std::array<uint8_t, 3> kJpegMagic = {0xff, 0xd8, 0xff};
+
+template <size_t kBytes>
+static bool begins_with(std::span<const uint8_t> bytes, const std::array<uint8_t, kBytes>& magic) {
+  return bytes.size() >= kBytes && std::equal(magic.begin(), magic.end(), bytes.begin());
+}
+
+static Status decode(std::span<const uint8_t> bytes, const PictureTaker& taker) {
+  if (bytes.size() > kPictureBytesMax)
+    return invalid_argument("picture of " + std::to_string(bytes.size()) + " bytes, the limit is " +
+                            std::to_string(kPictureBytesMax));
+  if (begins_with(bytes, kPngMagic)) return read_png_rows(bytes, taker);
+  if (begins_with(bytes, kJpegMagic)) return read_jpeg_rows(bytes, taker);
+  return unimplemented("the picture is neither PNG nor JPEG");
+}
+
+static std::string in_words(const PictureSize& size) {
+  return "picture of " + std::to_string(size.width) + "x" + std::to_string(size.height) + " pixels";
+}
+
+Status begin_picture(const PictureSize& size, uint64_t file_bytes, const PictureTaker& taker) {
+  const uint64_t pixels_max = std::min(
+      kPicturePixelsMax, std::max(kPicturePixelsInAnyCase, file_bytes * kPicturePixelsPerByteMax));
+  if (size.width == 0 || size.height == 0 || size.width > pixels_max / size.height)
+    return invalid_argument(in_words(size) + "; a file of " + std::to_string(file_bytes) +
+                            " bytes must have between 1 and " + std::to_string(pixels_max));
+  return taker.begin(size).with_context(in_words(size));
+}
+
+Status read_picture_rows(std::span<const uint8_t> bytes, const std::string& name,
+                         const PictureTaker& taker) {
+  try {
+    return decode(bytes, taker).with_context(name);
+  } catch (const std::bad_alloc&) {
+    return resource_exhausted(name + ": not enough memory for its pixels");
+  }
+}
+
+}  // namespace burnish

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+
+#include "common/base/status.h"
+#include "common/base/types.h"
+
+namespace burnish {
+
+/// Says what a picture's header announces.
+struct PictureSize {
+  uint32_t width = 0;           ///< pixels
+  uint32_t height = 0;          ///< pixels
+  uint64_t decoding_bytes = 0;  ///< of memory that its decoder takes beside the file
+};
+
+/// Pixels of one row, sRGB with alpha: every `step`-th from `first` on.
+struct PixelRun {
+  uint32_t y = 0;
+  uint32_t first = 0;
+  uint32_t step = 1;
+  std::span<const Rgba8> pixels;
+};
+
+/// Takes a picture as it is decoded.
+struct PictureTaker {
+  /// Hears the size before anything is decoded. A failure ends the reading.
+  std::function<Status(const PictureSize&)> begin;
+  /// Gets each pixel once. The rows of an interlaced PNG come in several passes.
+  std::function<void(const PixelRun&)> take;
+};
+
+/// Decodes a PNG or JPEG file row by row, so that a picture takes no memory for its pixels. A JPEG
+/// of several scans takes memory for its coefficients. `name` is for messages. Fails: unimplemented
+/// (another kind of picture); invalid_argument that names the value and the limit (too large,
+/// damaged, cut off); resource_exhausted; as begin() does, with the name and the size.
+Status read_picture_rows(std::span<const uint8_t> bytes, const std::string& name,
+                         const PictureTaker& taker);
+
+}  // namespace burnish
