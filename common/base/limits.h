@@ -22,7 +22,6 @@ inline constexpr uint64_t kPictureBytesMax = uint64_t{512} << 20;              /
 inline constexpr uint64_t kPicturePixelsMax = uint64_t{1} << 28;               // 16384 x 16384
 inline constexpr uint64_t kPicturePixelsPerByteMax = 1024;                     // of its file
 inline constexpr uint64_t kPicturePixelsInAnyCase = uint64_t{1} << 24;         // that ratio's floor
-inline constexpr uint64_t kPictureMemoryPerByte = 72;                          // 4 x 18 pixels
 inline constexpr uint64_t kMaterialFileBytesMax = uint64_t{16} << 20;
 inline constexpr double kCoordinateMagnitudeMax = 1e18;  // file units; squares stay finite in float
 
@@ -57,6 +56,7 @@ inline constexpr double kGainMax = 10;
 inline constexpr size_t kPaletteCurvesMax = 8;
 
 inline constexpr size_t kStrokeDabsMax = 4096;
+inline constexpr uint64_t kHistoryReserveBytes = uint64_t{1} << 20;  // for undo where it is full
 inline constexpr size_t kEditsPerFrameMax = 64;
 inline constexpr size_t kNameBytesMax = 200;     // of scans, sessions, users, checkpoints
 inline constexpr size_t kSessionRolesMax = 256;  // users with their own role

@@ -57,10 +57,14 @@ struct ServerConfig {
   int64_t idle_spill_seconds = 600;  ///< until an unused session is unloaded; 0: never
 
   int64_t sessions_max = 64;
-  int64_t sessions_per_user = 16;                      ///< in memory
-  int64_t streams_per_user = 64;                       ///< running streaming calls
-  int64_t requests_per_user = 1024;                    ///< waiting for a worker
-  int64_t request_bytes_per_user = int64_t{64} << 20;  ///< of waiting and running requests
+  int64_t kept_sessions_per_user = 32;                   ///< that a user made, in memory or not
+  int64_t sessions_for_owners = 4;                       ///< the last places of sessions_max
+  int64_t history_bytes_per_session = int64_t{1} << 30;  ///< of edits
+  int64_t history_bytes_per_user = int64_t{4} << 30;     ///< of the sessions that a user made
+  int64_t sessions_per_user = 16;                        ///< in memory
+  int64_t streams_per_user = 64;                         ///< running streaming calls
+  int64_t requests_per_user = 1024;                      ///< waiting for a worker
+  int64_t request_bytes_per_user = int64_t{64} << 20;    ///< of waiting and running requests
   int64_t connections_max = 256;
   int64_t connections_per_peer = 64;       ///< of one address
   int64_t silent_connection_seconds = 30;  ///< until a call is admitted: not health

@@ -16,6 +16,9 @@
 
 namespace burnish {
 
+/// What an edit takes in memory beside the bytes of its row.
+inline constexpr uint64_t kHistoryBytesOfARow = 640;
+
 /// The facts of a session apart from its edits.
 struct SessionRecord {
   std::string id;
@@ -106,6 +109,9 @@ class Journal {
 
   /// Returns the number of edits, damaged ones included, after all earlier appends.
   virtual Result<uint64_t> edit_count(const std::string& session_id) = 0;
+
+  /// Returns about the bytes of the edits in memory, from the sizes of their rows.
+  virtual Result<uint64_t> history_bytes(const std::string& session_id) = 0;
 
   /// Returns the number of the edit that last gave a checkpoint this name. Fails: not_found, as
   /// edits().

@@ -140,6 +140,16 @@ Result<uint64_t> PostgresJournal::edit_count(const std::string& session_id) {
   });
 }
 
+Result<uint64_t> PostgresJournal::history_bytes(const std::string& session_id) {
+  return read<uint64_t>([&](PgConnection& database) -> Result<uint64_t> {
+    ASSIGN_OR_RETURN(const PgReply reply,
+                     database.run({"SELECT COALESCE(SUM(LENGTH(bytes) + LENGTH(author) +"
+                                   " LENGTH(id) + $2), 0)::bigint FROM edits WHERE session_id = $1",
+                                   {session_id, static_cast<int64_t>(kHistoryBytesOfARow)}}));
+    return static_cast<uint64_t>(reply.integer(0, 0));
+  });
+}
+
 Result<SessionRoles> PostgresJournal::roles(const std::string& session_id) {
   return read<SessionRoles>(
       [&](PgConnection& database) { return read_role_rows(database, session_id); });

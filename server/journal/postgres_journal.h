@@ -43,6 +43,7 @@ class PostgresJournal final : public Journal {
   void append(const std::string& session_id, uint64_t first, std::vector<AuthoredEdit> edits,
               Done done) override;
   Result<std::vector<AuthoredEdit>> edits(const std::string& session_id) override;
+  Result<uint64_t> history_bytes(const std::string& session_id) override;
   Result<uint64_t> edit_count(const std::string& session_id) override;
   Result<SessionRoles> roles(const std::string& session_id) override;
   Status set_role(const std::string& session_id, const std::string& user,

@@ -157,6 +157,16 @@ Result<uint64_t> SqliteJournal::edit_count(const std::string& session_id) {
   return read<uint64_t>([&](Database& database) { return last_number(database, session_id); });
 }
 
+Result<uint64_t> SqliteJournal::history_bytes(const std::string& session_id) {
+  return read<uint64_t>([&](Database& database) -> Result<uint64_t> {
+    ASSIGN_OR_RETURN(Statement sum,
+                     database.prepare("SELECT IFNULL(SUM(LENGTH(bytes) + LENGTH(author) +"
+                                      " LENGTH(id) + ?2), 0) FROM edits WHERE session_id = ?1"));
+    RETURN_IF_ERROR(sum.bind(session_id, static_cast<int64_t>(kHistoryBytesOfARow)).run());
+    return static_cast<uint64_t>(sum.integer(0));
+  });
+}
+
 Result<SessionRoles> SqliteJournal::roles(const std::string& session_id) {
   return read<SessionRoles>([&](Database& database) -> Result<SessionRoles> {
     ASSIGN_OR_RETURN(const auto damaged, read_users_of_damaged_roles(database));

@@ -11,12 +11,17 @@ std::vector<Gauge> read_gauges(const Server& server, const DataFolder& folder, M
                                const Reloaded<Certificates>* certificates,
                                const Membership* membership) {
   const SessionManager::Usage usage = sessions.usage();
+  const KeptShares::Share share = sessions.largest_share();
   const LiveSessions::Usage live_usage = live.usage();
   const auto number = [](auto value) { return static_cast<double>(value); };
   std::vector<Gauge> gauges = {
       {"burnish_running_rpcs", "RPCs in progress", number(server.running_calls())},
       {"burnish_web_connections", "Connections of browsers", number(server.web_connections())},
       {"burnish_sessions", "Sessions that the journal knows", number(sessions.list().size())},
+      {"burnish_user_sessions_max", "Sessions of the user who has most, in memory or not",
+       number(share.sessions)},
+      {"burnish_user_history_bytes_max", "Bytes of history of the user who has most",
+       number(share.history_bytes)},
       {"burnish_open_sessions", "Sessions in memory", number(usage.in_memory)},
       {"burnish_live_waiting_sessions", "Live sessions that wait for their turn to solve",
        number(live_usage.waiting_sessions)},

@@ -110,7 +110,11 @@ MeshStoreOptions store_options(const ServerConfig& config) {
 
 SessionManagerOptions session_options(const ServerConfig& config) {
   SessionManagerOptions options;
-  options.sessions_max = static_cast<size_t>(config.sessions_max);
+  options.kept.sessions_max = static_cast<size_t>(config.sessions_max);
+  options.kept.sessions_per_user = static_cast<uint64_t>(config.kept_sessions_per_user);
+  options.kept.sessions_for_owners = static_cast<size_t>(config.sessions_for_owners);
+  options.kept.history_bytes_per_session = static_cast<uint64_t>(config.history_bytes_per_session);
+  options.kept.history_bytes_per_user = static_cast<uint64_t>(config.history_bytes_per_user);
   options.sessions_per_user = static_cast<uint64_t>(config.sessions_per_user);
   options.solver.backend = config.backend;
   options.solver.devices = static_cast<int>(config.devices);

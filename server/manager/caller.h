@@ -18,6 +18,11 @@ struct Caller {
   std::string user;                        ///< "": somebody without a name
   SessionRole most = SessionRole::kOwner;  ///< bounds the session's roles
   bool owns_server = false;                ///< owns every session
+  bool is_admitted = false;                ///< the server has users, and knows this one
+
+  /// Returns whether the limits of one user's kept sessions and histories hold for the caller. An
+  /// owner of the server has none, and somebody who is only a name cannot be told from others.
+  bool has_share() const { return is_admitted && !owns_server; }
 
   bool operator==(const Caller&) const = default;
 };

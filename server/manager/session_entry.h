@@ -7,6 +7,7 @@
 #include "common/service/session_info.h"
 #include "server/journal/journal.h"
 #include "server/library/mesh_cache.h"
+#include "server/manager/kept_shares.h"
 #include "server/manager/layer_need.h"
 #include "server/manager/presence.h"
 #include "server/memory/quota.h"
@@ -44,6 +45,7 @@ struct SessionEntry {
   std::atomic<bool> in_memory{false};
   std::atomic<bool> in_journal{false};  // else it is being made, and nobody knows of it
   std::atomic<uint64_t> session_bytes{0};
+  KeptShares::Part kept;  // of its maker; set before others know the entry
   /// The session in memory has edits that could not be written: it must be replayed.
   std::atomic<bool> ahead_of_journal{false};
   /// Nobody knows whether its last edits are on disk. Later ones cannot be refused before the

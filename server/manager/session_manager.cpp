@@ -14,10 +14,20 @@ SessionManager::~SessionManager() {
   store_.set_wanted(nullptr);
 }
 
-Result<std::shared_ptr<SessionEntry>> read_entry(Journal& journal, const SessionRecord& record) {
+/// The journal does not say who made a session: the first of its owners has it.
+static std::string maker_of(const SessionRoles& roles) {
+  for (const auto& [user, role] : roles.by_user())
+    if (!user.empty() && role == SessionRole::kOwner) return user;
+  return {};
+}
+
+/// Reads a session of the journal that is not in memory.
+Result<std::shared_ptr<SessionEntry>> SessionManager::read_entry(const SessionRecord& record) {
   auto entry = std::make_shared<SessionEntry>(record);
-  ASSIGN_OR_RETURN(entry->edits, journal.edit_count(record.id));
-  ASSIGN_OR_RETURN(entry->roles, journal.roles(record.id));
+  ASSIGN_OR_RETURN(entry->edits, journal_.edit_count(record.id));
+  ASSIGN_OR_RETURN(entry->roles, journal_.roles(record.id));
+  ASSIGN_OR_RETURN(const uint64_t bytes, journal_.history_bytes(record.id));
+  entry->kept = shares_.add(maker_of(entry->roles), bytes);
   entry->in_journal = true;
   return entry;
 }
@@ -28,7 +38,7 @@ Result<std::unique_ptr<SessionManager>> SessionManager::create(
   std::unique_ptr<SessionManager> manager(new SessionManager(folder, store, journal, options));
   ASSIGN_OR_RETURN(const auto records, journal.sessions());
   for (const SessionRecord& record : records) {
-    ASSIGN_OR_RETURN(auto entry, read_entry(journal, record));
+    ASSIGN_OR_RETURN(auto entry, manager->read_entry(record));
     manager->sessions_[record.id] = entry;
     manager->by_name_[record.name] = std::move(entry);
   }

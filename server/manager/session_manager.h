@@ -22,6 +22,8 @@
 #include "server/library/export_file.h"
 #include "server/library/mesh_store.h"
 #include "server/manager/caller.h"
+#include "server/manager/kept_limits.h"
+#include "server/manager/kept_shares.h"
 #include "server/manager/presence.h"
 #include "server/manager/session_listener.h"
 #include "server/scheduling/executor.h"
@@ -31,8 +33,8 @@
 namespace burnish {
 
 struct SessionManagerOptions {
-  size_t sessions_max = 64;
   uint64_t sessions_per_user = 1'000'000;  ///< in memory
+  KeptLimits kept;
   SolverOptions solver;
 };
 
@@ -73,6 +75,9 @@ class SessionManager {
     uint64_t session_bytes = 0;
   };
   Usage usage() const;
+
+  /// Returns the most sessions and the most bytes of history that one user has, in memory or not.
+  KeptShares::Share largest_share() const { return shares_.largest(); }
 
   /// The scans.
   MeshStore& store() { return store_; }
@@ -211,12 +216,13 @@ class SessionManager {
   struct Reserved;
   Result<Reserved> find_or_reserve(const SessionWish& wish, const Caller& caller);
   Result<Held> reserve(SessionRecord record, const Caller& caller);  // needs the map's lock
-  Status check_room() const;                                         // likewise
   struct SurfaceCopy;
   Result<SurfaceCopy> copy_surface(const std::string& reference, const Caller& caller,
                                    const Progress& progress);
   Status make(SessionEntry& entry, const Caller& caller, const Progress& progress);
   void give_up(SessionEntry& entry);
+
+  Result<std::shared_ptr<SessionEntry>> read_entry(const SessionRecord& record);
 
   struct Coming;
   Status bring_back(SessionEntry& entry, const Caller& caller, const Progress& progress);
@@ -241,6 +247,7 @@ class SessionManager {
   Journal& journal_;
   const SessionManagerOptions options_;
   Quota by_user_;
+  KeptShares shares_;
   const std::shared_ptr<ListenerSlot> listener_ = std::make_shared<ListenerSlot>();
   std::atomic<bool> ending_{false};
   std::function<Status()> may_hold_;

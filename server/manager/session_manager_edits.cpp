@@ -34,6 +34,20 @@ static std::vector<uint64_t> at_their_places(std::span<const Edit> edits,
   return entries;
 }
 
+/// Edits that take others back must work in a full history.
+static bool takes_back(const AuthoredEdit& edit) {
+  const EditKind kind = kind_of(edit.edit);
+  return kind == EditKind::kUndo || kind == EditKind::kRedo || kind == EditKind::kSwitchEntry ||
+         kind == EditKind::kRestoreCheckpoint;
+}
+
+static HistoryGrowth growth_by(std::span<const AuthoredEdit> more, const SessionEntry& entry) {
+  HistoryGrowth growth{entry.kept.user(), entry.session->edited().history().byte_count(), 0,
+                       std::ranges::all_of(more, takes_back)};
+  for (const AuthoredEdit& edit : more) growth.more += bytes_in_history(edit);
+  return growth;
+}
+
 // A session's edits count as its memory.
 static Status charge_for(std::span<const AuthoredEdit> more, SessionEntry& entry) {
   LayerNeed layers = entry.layers;
@@ -90,10 +104,12 @@ Result<ApplyOutcome> SessionManager::submit_held(const std::shared_ptr<SessionEn
     if (status.is_ok()) status = edited.check_new(edit.edit);
     RETURN_IF_ERROR(about_edit(status, edit.edit, edits.size()));
   }
+  RETURN_IF_ERROR(check_history_room(options_.kept, growth_by(fresh, entry), shares_, caller));
   RETURN_IF_ERROR(charge_for(fresh, entry));
   const uint64_t first = edited.history().size() + 1;
   ASSIGN_OR_RETURN(const std::vector<uint64_t> numbers, edited.record(fresh));
   const uint64_t size = edited.history().size();
+  entry.kept.set_history_bytes(edited.history().byte_count());
   if (!entry.ahead_of_journal) entry.edits = size;
   ApplyOutcome outcome{static_cast<uint32_t>(fresh.size()),
                        static_cast<uint32_t>(edits.size() - fresh.size()), size,

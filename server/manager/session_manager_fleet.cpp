@@ -76,7 +76,7 @@ void SessionManager::refresh() {
     for (const auto& [id, entry] : sessions_) missing.erase(id);
   }
   for (const auto& [id, record] : missing) {
-    const auto entry = read_entry(journal_, *record);
+    const auto entry = read_entry(*record);
     if (!entry.is_ok()) continue;  // the next refresh brings it
     const std::lock_guard lock(mutex_);
     if (by_name_.try_emplace(record->name, *entry).second) sessions_.try_emplace(id, *entry);

@@ -10,7 +10,4 @@ struct SessionManager::Held {
   std::unique_lock<FairMutex> lock;
 };
 
-/// Reads a session of the journal that is not in memory.
-Result<std::shared_ptr<SessionEntry>> read_entry(Journal& journal, const SessionRecord& record);
-
 }  // namespace burnish

@@ -45,6 +45,7 @@ Status SessionManager::bring_back(SessionEntry& entry, const Caller& caller,
   entry.by_user = std::move(coming.by_user);
   entry.session = std::move(coming.session);
   entry.edits = coming.edits.size();
+  entry.kept.set_history_bytes(entry.session->edited().history().byte_count());
   ++entry.life;
   entry.in_memory = true;
   return Status::ok();

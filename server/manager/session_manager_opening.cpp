@@ -48,19 +48,13 @@ Result<uint64_t> end_of_fork(const ForkWish& wish, Journal& journal, const std::
 
 }  // namespace
 
-Status SessionManager::check_room() const {
-  if (sessions_.size() < options_.sessions_max) return Status::ok();
-  return resource_exhausted("the server has " + std::to_string(sessions_.size()) +
-                            " sessions; limits.sessions_max is " +
-                            std::to_string(options_.sessions_max) + "; delete one");
-}
-
 Result<SessionManager::Held> SessionManager::reserve(SessionRecord record, const Caller& caller) {
-  RETURN_IF_ERROR(check_room());
+  RETURN_IF_ERROR(check_session_room(options_.kept, sessions_.size(), shares_, caller));
   if (scans_going_.contains(record.scan_id))
     return not_found("scan " + short_id(record.scan_id) + " is being deleted");
   auto entry = std::make_shared<SessionEntry>(std::move(record));
   entry->roles = SessionRoles::of_new_session(caller.user);
+  entry->kept = shares_.add(caller.user, 0);
   Held held{entry, std::unique_lock(entry->mutex)};  // nobody else knows it
   by_name_[entry->record.name] = entry;
   sessions_[entry->record.id] = entry;
@@ -121,10 +115,15 @@ Result<ForkedSession> SessionManager::fork(const ForkWish& wish, const Caller& c
                                            const Progress& progress) {
   RETURN_IF_ERROR(check_is_no_id(wish.name));
   SessionRecord source;
+  uint64_t history_bytes = 0;
   {
     ASSIGN_OR_RETURN(const Held held, lock(wish.source, progress));
     source = held.entry->record;
+    history_bytes = held.entry->kept.history_bytes();
   }
+  RETURN_IF_ERROR(
+      check_history_room(options_.kept, {caller.user, 0, history_bytes}, shares_, caller)
+          .with_context("the fork"));
   ASSIGN_OR_RETURN(const uint64_t edits, end_of_fork(wish, journal_, source.id));
   SessionRecord record = source;
   if (wish.depth != 0) record.key.depth = wish.depth;
@@ -146,6 +145,7 @@ Result<ForkedSession> SessionManager::fork(const ForkWish& wish, const Caller& c
     return emptied.status();
   }
   entry.edits = edits;
+  entry.kept.set_history_bytes(history_bytes);
   entry.in_journal = true;
   return ForkedSession{entry.info(), *emptied};
 }

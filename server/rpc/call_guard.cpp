@@ -46,6 +46,7 @@ Result<Identity> CallGuard::identify(const grpc::CallbackServerContext& context)
 static Caller bounded(const Identity& identity) {
   Caller caller(identity.user);
   if (identity.user.empty()) return caller;
+  caller.is_admitted = true;
   caller.owns_server = identity.role == Role::kOwner;
   if (identity.role < Role::kEditor) caller.most = SessionRole::kViewer;
   return caller;

@@ -221,6 +221,57 @@ class MovesOfABrushFloodNobody(Attack):
         return "%d moves on 8 streams, no answer read" % moves
 
 
+class EditorTakesNotEverySession(Attack):
+    """Editors open and fork until refused. Another editor and an owner must still find room."""
+    finding = "N5"
+    config = "[limits]\nsessions_max = 16\nkept_sessions_per_user = 6\nsessions_for_owners = 3\n"
+    witness_session = ""
+
+    def attack(self, server):
+        made = [self.take(server, name) for name in ("mallory", "walt")]
+        if max(made) > 6:
+            self.hole("one editor has %d sessions, limit 6" % max(made))
+        if Client(server, "bert").code("OpenSession", scan="scan", name="bert") != "OK":
+            self.hole("another editor can open nothing")
+        self.take(server, "alice")
+        if self.owner.code("OpenSession", scan="scan", name="owner") != "OK":
+            self.hole("an owner can open nothing")
+        return "%d and %d sessions" % tuple(made)
+
+    @staticmethod
+    def take(server, user):
+        client = Client(server, user)
+        codes = [client.code("OpenSession", scan="scan", name=user + "s")]
+        codes += [client.code("ForkSession", session=user + "s", name="%s-%d" % (user, number))
+                  for number in range(40)]
+        return codes.count("OK")
+
+
+class HistoryHasAnEnd(Attack):
+    """One editor sends strokes until refused. Undo and deletion must still work."""
+    finding = "N7"
+    config = "[limits]\nhistory_bytes_per_session = 2000000\nhistory_bytes_per_user = 5000000\n"
+    witness_session = ""
+
+    def attack(self, server):
+        mallory = Client(server, "mallory")
+        path, accepted, before = [dict(x=0, y=0, z=1)] * 3000, 0, server.data_bytes()
+        stroke = dict(brush=dict(radius=0.01, strength=0.5, beta=0.5, fall_off=1), path=path)
+        for session in ("one", "two", "three", "four"):
+            mallory.ask("OpenSession", scan="scan", name=session)
+            for number in range(self.size(60, 600)):
+                accepted += mallory.code("Apply", session=session,
+                                         edits=[dict(id="s%d" % number, stroke=stroke)]) == "OK"
+        if accepted * len(path) * 12 > 6_000_000:
+            self.hole("%d strokes of 3000 points were accepted" % accepted)
+        if mallory.code("Apply", session="one", edits=[dict(id="u", undo={})]) != "OK":
+            self.hole("a full history cannot be undone")
+        if mallory.code("DeleteSession", session="one") != "OK":
+            self.hole("a session with a full history cannot be deleted")
+        grown = (server.data_bytes() - before) >> 20
+        return "%d strokes accepted, %d MiB of disk" % (accepted, grown)
+
+
 class ForksHoldUpNobody(Attack):
     """Copies of a session with many edits, one after the other."""
     users = False

@@ -35,6 +35,8 @@ constexpr RefusalName kRefusals[] = {
     {Refusal::kConnections, "connections"},
     {Refusal::kHandshake, "handshake"},
     {Refusal::kHost, "host"},
+    {Refusal::kKeptSessions, "kept_sessions"},
+    {Refusal::kHistory, "history"},
     {Refusal::kOrigin, "origin"},
 };
 

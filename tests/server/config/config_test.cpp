@@ -44,6 +44,10 @@ TEST(ConfigFile, EveryKeyIsRead) {
       socket_user_only = true
       [limits]
       sessions_max = 7
+      kept_sessions_per_user = 5
+      sessions_for_owners = 2
+      history_bytes_per_session = 70000
+      history_bytes_per_user = 80000
       upload_bytes_max = 1000
       memory_bytes_max = 2000
       [tls]
@@ -67,6 +71,10 @@ TEST(ConfigFile, EveryKeyIsRead) {
   EXPECT_EQ(config.idle_exit_seconds, 60);
   EXPECT_TRUE(config.socket_user_only);
   EXPECT_EQ(config.sessions_max, 7);
+  EXPECT_EQ(config.kept_sessions_per_user, 5);
+  EXPECT_EQ(config.sessions_for_owners, 2);
+  EXPECT_EQ(config.history_bytes_per_session, 70'000);
+  EXPECT_EQ(config.history_bytes_per_user, 80'000);
   EXPECT_EQ(config.upload_bytes_max, 1000);
   EXPECT_EQ(config.tls_certificate, "c.pem");
   EXPECT_FALSE(config.tls_client_certificate_required);

@@ -34,7 +34,7 @@ void Simulator::start_server(const fs::path& journal) {
   journal_path_ = journal;
   journal_ = std::move(SqliteJournal::open(journal)).value();
   SessionManagerOptions options;
-  options.sessions_max = 1000;
+  options.kept.sessions_max = 1000;
   options.solver = {BackendKind::kCpu, Smoother::kSchwarz, 1};
   manager_ =
       std::move(SessionManager::create(*library_.folder, *library_.store, *journal_, options))

@@ -57,6 +57,9 @@ class DoubtfulJournal final : public Journal {
     return real_->edits(id);
   }
   Result<uint64_t> edit_count(const std::string& id) override { return real_->edit_count(id); }
+  Result<uint64_t> history_bytes(const std::string& id) override {
+    return real_->history_bytes(id);
+  }
   Result<SessionRoles> roles(const std::string& id) override { return real_->roles(id); }
   Status set_role(const std::string& id, const std::string& user, SessionRole role) override {
     return real_->set_role(id, user, role);

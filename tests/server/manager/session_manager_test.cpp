@@ -21,7 +21,7 @@ class SessionManagerTest : public testing::Test {
  protected:
   SessionManagerTest() {
     scan_id_ = library_.import(sphere_file(), "ball").value().scan.id;
-    options_.sessions_max = 3;
+    options_.kept.sessions_max = 3;
     options_.solver.threads = 1;
     start();
   }
@@ -306,6 +306,104 @@ TEST_F(SessionManagerTest, EditsThatCouldNotBeWrittenAreNotCounted) {
   EXPECT_FALSE(apply("one", {{"b", SetGradientScale{0.25}}}).is_ok());
   ASSERT_TRUE(manager_->close("one", user_).is_ok());
   EXPECT_EQ(manager_->list()[0].edits, 1u);
+}
+
+/// Returns a user whom a server with users has let in.
+Caller admitted(const std::string& name, bool owns_server = false) {
+  Caller caller(name);
+  caller.is_admitted = true;
+  caller.owns_server = owns_server;
+  return caller;
+}
+
+TEST_F(SessionManagerTest, KeptSessionsHaveAShareForEachUserForksIncluded) {
+  options_.kept.sessions_max = 20;
+  options_.kept.sessions_per_user = 2;
+  start();
+  const Caller mallory = admitted("mallory");
+  ASSERT_TRUE(manager_->open({"ball", "1", {5, 0}}, mallory, {}).is_ok());
+  ASSERT_TRUE(manager_->fork({.source = "1", .name = "2"}, mallory).is_ok());
+  for (int life = 0; life < 2; ++life) {
+    const Status refused = manager_->fork({.source = "1", .name = "3"}, mallory).status();
+    EXPECT_EQ(refused.code(), StatusCode::kResourceExhausted);
+    EXPECT_THAT(refused.message(), HasSubstr("user mallory has 2 sessions"));
+    EXPECT_THAT(refused.message(), HasSubstr("limits.kept_sessions_per_user is 2"));
+    EXPECT_TRUE(manager_->open({"ball", "1", {5, 0}}, mallory, {}).value().attached);
+    start();  // those in the journal count as well
+  }
+  EXPECT_EQ(manager_->largest_share().sessions, 2u);
+  EXPECT_TRUE(manager_->fork({.source = "1", .name = "b"}, admitted("bert")).is_ok());
+  EXPECT_TRUE(manager_->fork({.source = "1", .name = "n"}, Caller("nobody known")).is_ok());
+  ASSERT_TRUE(manager_->remove("2", mallory).is_ok());
+  EXPECT_TRUE(manager_->fork({.source = "1", .name = "3"}, mallory).is_ok());
+}
+
+TEST_F(SessionManagerTest, ASessionStaysItsMakersWhoeverElseGetsToOwnIt) {
+  options_.kept.sessions_per_user = 1;
+  start();
+  const Caller mallory = admitted("mallory");
+  ASSERT_TRUE(manager_->open({"ball", "1", {5, 0}}, mallory, {}).is_ok());
+  ASSERT_TRUE(manager_->set_role("1", mallory, "ghost", SessionRole::kOwner).is_ok());
+  ASSERT_TRUE(manager_->set_role("1", mallory, "mallory", SessionRole::kViewer).is_ok());
+  EXPECT_EQ(manager_->open({"ball", "2", {5, 0}}, mallory, {}).status().code(),
+            StatusCode::kResourceExhausted);
+}
+
+TEST_F(SessionManagerTest, TheLastPlacesAreForOwnersOfTheServer) {
+  options_.kept.sessions_max = 4;
+  options_.kept.sessions_for_owners = 1;
+  start();
+  for (const char* name : {"1", "2", "3"})
+    ASSERT_TRUE(
+        manager_->open({"ball", name, {5, 0}}, admitted("u" + std::string(name)), {}).is_ok());
+  const Status refused = manager_->open({"ball", "4", {5, 0}}, admitted("ann"), {}).status();
+  EXPECT_EQ(refused.code(), StatusCode::kResourceExhausted);
+  EXPECT_THAT(refused.message(), HasSubstr("limits.sessions_max is 4, and its last 1 places"));
+  EXPECT_THAT(refused.message(), HasSubstr("limits.sessions_for_owners"));
+  EXPECT_TRUE(manager_->open({"ball", "4", {5, 0}}, admitted("olga", true), {}).is_ok());
+}
+
+TEST_F(SessionManagerTest, AFullHistoryRefusesEditsAndTakesUndo) {
+  options_.kept.history_bytes_per_session = 5'000;
+  start();
+  const Caller mallory = admitted("mallory");
+  ASSERT_TRUE(manager_->open({"ball", "1", {5, 0}}, mallory, {}).is_ok());
+  const auto try_edit = [&](int number, decltype(Edit::change) change, const Caller& who) {
+    const std::vector<Edit> edits = {{"e" + std::to_string(number), std::move(change)}};
+    return manager_->apply("1", who, edits).status();
+  };
+  int number = 0;
+  Status status;
+  while (status.is_ok() && number < 100)
+    status = try_edit(++number, SetCheckpoint{"here"}, mallory);
+  EXPECT_EQ(status.code(), StatusCode::kResourceExhausted);
+  EXPECT_THAT(status.message(), HasSubstr("limits.history_bytes_per_session is 5000"));
+  EXPECT_LT(number, 12);
+  EXPECT_EQ(try_edit(200, SetGradientScale{0.5}, mallory).code(), StatusCode::kResourceExhausted);
+  EXPECT_TRUE(try_edit(201, RestoreCheckpoint{"here"}, mallory).is_ok());
+  EXPECT_TRUE(try_edit(202, SetGradientScale{0.5}, admitted("olga", true)).is_ok());
+  EXPECT_TRUE(manager_->remove("1", mallory).is_ok());
+}
+
+TEST_F(SessionManagerTest, HistoriesOfAllSessionsOfAUserHaveALimitForksIncluded) {
+  options_.kept.sessions_max = 20;
+  options_.kept.history_bytes_per_user = 5'000;
+  start();
+  const Caller mallory = admitted("mallory");
+  ASSERT_TRUE(manager_->open({"ball", "1", {5, 0}}, mallory, {}).is_ok());
+  for (const char* id : {"a", "b", "c", "d"}) {
+    const std::vector<Edit> edits = {{id, SetGradientScale{0.5}}};
+    ASSERT_TRUE(manager_->apply("1", mallory, edits).is_ok());
+  }
+  for (int life = 0; life < 2; ++life) {
+    const Status refused = manager_->fork({.source = "1", .name = "2"}, mallory).status();
+    EXPECT_EQ(refused.code(), StatusCode::kResourceExhausted);
+    EXPECT_THAT(refused.message(), HasSubstr("user mallory has "));
+    EXPECT_THAT(refused.message(), HasSubstr("limits.history_bytes_per_user is 5000"));
+    start();
+  }
+  EXPECT_GT(manager_->largest_share().history_bytes, 2'500u);
+  EXPECT_TRUE(manager_->fork({.source = "1", .name = "2"}, admitted("bert")).is_ok());
 }
 
 TEST_F(SessionManagerTest, WhoBringsASessionBackIsChargedForIt) {
