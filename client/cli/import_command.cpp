@@ -51,7 +51,7 @@ Status run(const ImportOptions& options) {
   const std::string name = options.name.empty() ? bundle.mesh().stem().string() : options.name;
   if (!options.alone) warn_of_missing(bundle);
   ProgressPrinter printer;
-  auto outcome = connection.import_scan(bundle, name, options.key, printer.progress());
+  auto outcome = connection.import_scan(bundle, name, options.key, printer.progress(), true);
   if (!outcome.is_ok()) return outcome.status().with_context("import of " + options.file);
   if (!options.name.empty() && outcome->scan.name != options.name)
     std::cerr << "warning: the server has these bytes already; the scan keeps its name "

@@ -65,15 +65,20 @@ class Connection {
   /// of a failure. Does nothing without a starter.
   void bring_back(const Progress& progress = {});
 
-  /// Uploads a scan and has it prepared. Fails: as the server says; as reading does; cancelled.
+  /// Uploads a scan and has it prepared. The server changes a name that another scan
+  /// has, or refuses it if it must be `exact_name`. Fails: as the server says; as reading does;
+  /// cancelled.
   Result<ImportOutcome> import_scan(ScanSource& scan, const std::string& name,
-                                    const PreparedKey& key, const Progress& progress);
+                                    const PreparedKey& key, const Progress& progress,
+                                    bool exact_name = false);
   Result<ImportOutcome> import_scan(const ScanBundle& scan, const std::string& name,
-                                    const PreparedKey& key, const Progress& progress);
+                                    const PreparedKey& key, const Progress& progress,
+                                    bool exact_name = false);
   /// Does the same with a mesh file, or the mesh of a folder, and the files that it names. Fails:
   /// as reading the files does; likewise.
   Result<ImportOutcome> import_scan(const std::filesystem::path& file, const std::string& name,
-                                    const PreparedKey& key, const Progress& progress);
+                                    const PreparedKey& key, const Progress& progress,
+                                    bool exact_name = false);
   Result<std::vector<ScanInfo>> list_scans();
   Result<ScanDescription> describe_scan(const std::string& scan, int depth);
   Result<ScanInfo> prepare_scan(const std::string& scan, const PreparedKey& key,

@@ -74,9 +74,10 @@ Result<std::string> hash_of(ScanSource& scan) {
 }  // namespace
 
 Result<ImportOutcome> Connection::import_scan(ScanSource& scan, const std::string& name,
-                                              const PreparedKey& key, const Progress& progress) {
+                                              const PreparedKey& key, const Progress& progress,
+                                              bool exact_name) {
   ASSIGN_OR_RETURN(const std::string hash, hash_of(scan));
-  const ImportHeader header{name, scan.format(), scan.size_bytes(), hash, key};
+  const ImportHeader header{name, scan.format(), scan.size_bytes(), hash, key, exact_name};
 
   grpc::ClientContext context;
   const auto stream = state_->library->Import(&context);

@@ -25,16 +25,17 @@ class BundleSource final : public ScanSource {
 }  // namespace
 
 Result<ImportOutcome> Connection::import_scan(const ScanBundle& scan, const std::string& name,
-                                              const PreparedKey& key, const Progress& progress) {
+                                              const PreparedKey& key, const Progress& progress,
+                                              bool exact_name) {
   BundleSource source(scan);
-  return import_scan(source, name, key, progress);
+  return import_scan(source, name, key, progress, exact_name);
 }
 
 Result<ImportOutcome> Connection::import_scan(const std::filesystem::path& path,
                                               const std::string& name, const PreparedKey& key,
-                                              const Progress& progress) {
+                                              const Progress& progress, bool exact_name) {
   ASSIGN_OR_RETURN(const ScanBundle scan, ScanBundle::open(path));
-  return import_scan(scan, name, key, progress);
+  return import_scan(scan, name, key, progress, exact_name);
 }
 
 }  // namespace burnish

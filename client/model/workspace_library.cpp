@@ -74,6 +74,9 @@ void Workspace::tell_imported(const std::filesystem::path& file, const ImportOut
     return log.warning(file.filename().string() + " has the bytes of the scan " + name +
                        ", which is there already; it keeps that name. Rename on the start page "
                        "changes it");
+  if (name != file.stem().string())
+    return log.info("imported " + name + "; the server does not take the name " +
+                    file.stem().string() + ", or another scan has it");
   log.info((outcome.already_present ? "already there: " : "imported ") + name);
 }
 

@@ -64,6 +64,7 @@ struct ImportHeader {
   uint64_t size_bytes = 0;
   std::string sha256;  ///< empty, or the hash of the bytes that follow
   PreparedKey key;
+  bool exact_name = false;  ///< refuses a name that is not free; else it is changed
 };
 
 /// The result of an import.
@@ -85,6 +86,9 @@ std::string_view mesh_format_name(MeshFormat format);
 
 /// Returns the format of a name. Fails: invalid_argument that names the choices.
 Result<MeshFormat> mesh_format_of_name(std::string_view name);
+
+/// The fewest digits of an id that are a reference. A name is not so many hexadecimal digits.
+inline constexpr size_t kIdBeginDigits = 4;
 
 /// The number of digits of an id that are shown to users.
 inline constexpr size_t kShortIdDigits = 12;

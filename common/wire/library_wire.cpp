@@ -14,6 +14,7 @@ v1::ImportHeader to_wire(const ImportHeader& header) {
   message.set_sha256(header.sha256);
   message.set_depth(header.key.depth);
   message.set_curvature_radius(header.key.curvature_radius);
+  message.set_exact_name(header.exact_name);
   return message;
 }
 
@@ -28,6 +29,7 @@ Result<ImportHeader> from_wire(const v1::ImportHeader& message) {
     return invalid_argument("sha256 is not 64 lower-case hexadecimal digits");
   header.sha256 = message.sha256();
   ASSIGN_OR_RETURN(header.key, prepared_key_from_wire(message.depth(), message.curvature_radius()));
+  header.exact_name = message.exact_name();
   return header;
 }
 

@@ -78,6 +78,10 @@ Result<std::unique_ptr<Upload>> MeshStore::begin_upload(const ImportHeader& head
   return Upload::create(folder_.staging_path(".upload"), header.size_bytes, std::move(share));
 }
 
+Status MeshStore::check_new_name(const ImportHeader& header) {
+  return names_.hold(header.sha256, header.name, header.exact_name).status();
+}
+
 Result<ImportOutcome> MeshStore::import(Upload& upload, const ImportHeader& header,
                                         const Progress& progress) {
   ASSIGN_OR_RETURN(const std::string id, upload.finish());
@@ -102,6 +106,7 @@ Result<ImportOutcome> MeshStore::import(Upload& upload, const ImportHeader& head
 
 Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& id,
                                             const ImportHeader& header, const Progress& progress) {
+  ASSIGN_OR_RETURN(const ScanNames::Hold name, names_.hold(id, header.name, header.exact_name));
   const StagingFolder staging(folder_.staging_path(".scan"));
   RETURN_IF_ERROR(staging.make("prepared"));
   const fs::path original = staging.path() / original_file_name(header.format);
@@ -116,7 +121,8 @@ Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& i
                                           {header.key.depth, header.key.curvature_radius,
                                            options_.threads, &budget, budget.space()},
                                           progress));
-  const ScanInfo scan = make_scan_info(id, header, *prepared, budget);
+  ScanInfo scan = make_scan_info(id, header, *prepared, budget);
+  scan.name = name.name();
   const std::string prepared_name = prepared_file_name(resolve(header.key, scan));
 
   if (!report(progress, "storing", 0)) return cancelled("the import was cancelled");
@@ -176,7 +182,10 @@ Result<ScanDescription> MeshStore::describe(const std::string& reference, int de
 }
 
 Result<ScanInfo> MeshStore::rename(const std::string& reference, const std::string& name) {
-  return change(reference, [&](ScanInfo& scan) { scan.name = name; });
+  ASSIGN_OR_RETURN(const ScanInfo found, find(reference));
+  if (found.name == name) return found;
+  ASSIGN_OR_RETURN(const ScanNames::Hold held, names_.hold(found.id, name, true));
+  return change(found.id, [&](ScanInfo& scan) { scan.name = name; });
 }
 
 Result<ScanInfo> MeshStore::set_unit(const std::string& reference, const std::string& unit) {

@@ -18,6 +18,7 @@
 #include "server/library/original_store.h"
 #include "server/library/scan_catalogue.h"
 #include "server/library/scan_index.h"
+#include "server/library/scan_names.h"
 #include "server/library/staging_folder.h"
 #include "server/library/upload.h"
 #include "server/memory/quota.h"
@@ -65,10 +66,14 @@ class MeshStore {
   Result<std::unique_ptr<Upload>> begin_upload(const ImportHeader& header,
                                                const std::string& user = {});
 
+  /// Checks before an upload whether a scan that is not there may have this name. Fails:
+  /// invalid_argument, already_exists.
+  Status check_new_name(const ImportHeader& header);
+
   /// Reads, checks, prepares and keeps the uploaded file. Known bytes only get the requested
   /// prepared mesh, and replace damaged files of the scan. Fails: invalid_argument (not a valid
-  /// mesh), data_loss (not the announced bytes), resource_exhausted (disk), cancelled; then nothing
-  /// is kept.
+  /// mesh, or not a name), already_exists (another scan's name), data_loss (not the announced
+  /// bytes), resource_exhausted (disk), cancelled; then nothing is kept.
   Result<ImportOutcome> import(Upload& upload, const ImportHeader& header,
                                const Progress& progress);
 
@@ -140,7 +145,8 @@ class MeshStore {
   Quota& memory() { return memory_; }
   uint64_t mesh_bytes() const { return cache_.byte_count(); }
 
-  /// Gives a scan another name. Fails: as find(); as errno says.
+  /// Gives a scan another name. Fails: as find(); invalid_argument (not a name); already_exists
+  /// (another scan's name); as errno says.
   Result<ScanInfo> rename(const std::string& reference, const std::string& name);
   /// Names the unit of a scan's coordinates. Fails: likewise.
   Result<ScanInfo> set_unit(const std::string& reference, const std::string& unit);
@@ -191,6 +197,7 @@ class MeshStore {
   const DataFolder& folder_;
   const MeshStoreOptions options_;
   ScanIndex index_;
+  ScanNames names_{index_};
   std::optional<SharedLibrary> shared_;
   std::mutex sharing_mutex_;  // the catalogue and this folder change together
   std::string mark_;          // of the catalogue, when it was last read; under that mutex

@@ -5,6 +5,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include "common/service/kept_name.h"
 #include "server/library/scan_record.h"
 
 namespace burnish {
@@ -59,19 +60,24 @@ std::optional<ScanInfo> ScanIndex::find_id(const std::string& id) const {
   return found->second;
 }
 
+std::map<std::string, ScanInfo> ScanIndex::by_look(const std::string& except_id) const {
+  const std::lock_guard lock(mutex_);
+  std::map<std::string, ScanInfo> looks;
+  for (const auto& [id, scan] : by_id_)
+    if (id != except_id) looks.try_emplace(look_of_name(scan.name), scan);
+  return looks;
+}
+
 Result<ScanInfo> ScanIndex::find(const std::string& reference) const {
   const std::lock_guard lock(mutex_);
   if (const auto same = by_id_.find(reference); same != by_id_.end()) return same->second;
-  std::vector<const ScanInfo*> named, begun;
+  // An old name may be the beginning of another scan's id: neither may win, because anybody can
+  // import a scan whose id begins so.
+  std::vector<const ScanInfo*> answers;
   for (const auto& [id, scan] : by_id_) {
-    const bool begins_so = !reference.empty() && id.starts_with(reference);
-    if (scan.name == reference) named.push_back(&scan);
-    if (scan.name != reference && begins_so) begun.push_back(&scan);
+    const bool begins_so = reference.size() >= kIdBeginDigits && id.starts_with(reference);
+    if (scan.name == reference || begins_so) answers.push_back(&scan);
   }
-  // A name wins over ids that begin with it, but not over the short id of another scan.
-  std::vector<const ScanInfo*>& answers = named;
-  if (named.empty() || reference.size() >= kShortIdDigits)
-    answers.insert(answers.end(), begun.begin(), begun.end());
   if (answers.empty()) return not_found("no scan has the name or id '" + reference + "'");
   if (answers.size() > 1)
     return invalid_argument(std::to_string(answers.size()) + " scans match '" + reference +

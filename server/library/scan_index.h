@@ -28,8 +28,11 @@ class ScanIndex {
 
   std::optional<ScanInfo> find_id(const std::string& id) const;
 
-  /// Finds a scan by name, id, or the beginning of one id. Fails: not_found; invalid_argument if
-  /// several scans match.
+  /// Returns the scans but `except_id`, by the look_of_name() of their names.
+  std::map<std::string, ScanInfo> by_look(const std::string& except_id) const;
+
+  /// Finds a scan by name, id, or the beginning of one id, from kIdBeginDigits digits on. Fails:
+  /// not_found; invalid_argument if several scans match.
   Result<ScanInfo> find(const std::string& reference) const;
 
  private:

@@ -4,7 +4,8 @@
 
 #include <spdlog/spdlog.h>
 
-#include "server/manager/session_manager_held.h"
+#include "server/manager/session_entry.h"
+#include "server/manager/session_manager.h"
 
 namespace burnish {
 

@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "common/base/clock.h"
+#include "common/service/kept_name.h"
 #include "server/manager/session_manager_held.h"
 
 namespace burnish {
@@ -50,6 +51,7 @@ Result<uint64_t> end_of_fork(const ForkWish& wish, Journal& journal, const std::
 
 Result<SessionManager::Held> SessionManager::reserve(SessionRecord record, const Caller& caller) {
   RETURN_IF_ERROR(check_session_room(options_.kept, sessions_.size(), shares_, caller));
+  RETURN_IF_ERROR(check_kept_name("the session's name", record.name));
   if (scans_going_.contains(record.scan_id))
     return not_found("scan " + short_id(record.scan_id) + " is being deleted");
   auto entry = std::make_shared<SessionEntry>(std::move(record));
@@ -158,6 +160,7 @@ Result<SessionInfo> SessionManager::rename(const std::string& reference, const s
   SessionEntry& entry = *held.entry;
   RETURN_IF_ERROR(require_role(entry.roles, caller, SessionRole::kOwner, "renaming the session"));
   if (entry.record.name == name) return entry.info();
+  RETURN_IF_ERROR(check_kept_name("the session's name", name));
   {
     const std::lock_guard map(mutex_);
     if (!by_name_.emplace(name, held.entry).second)

@@ -71,6 +71,8 @@ Status ImportCall::take_header(const v1::ImportHeader& message) {
 void ImportCall::look_for_known() {
   const auto known = calls_.store.import_known(header_.sha256, header_.key, progress());
   if (known.is_ok() || known.status().code() != StatusCode::kNotFound) return end(known);
+  const Status name = calls_.store.check_new_name(header_);
+  if (!name.is_ok()) return end(name);
   ask_for_chunks();
 }
 

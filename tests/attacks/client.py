@@ -88,9 +88,9 @@ class Client:
         """Returns only the outcome's name: OK, NOT_FOUND, ..."""
         return self.start(method, timeout, **fields).code().name
 
-    def import_scan(self, name, file, depth=0, sha256=None, format=1):
+    def import_scan(self, name, file, depth=0, sha256=None, format=1, **more):
         """Returns the scan's id. Raises grpc.RpcError."""
-        header = dict(name=name, format=format, size_bytes=len(file), sha256=sha256, depth=depth)
+        header = dict(name=name, format=format, size_bytes=len(file), sha256=sha256, depth=depth, **more)
         waiting = queue.Queue()
         waiting.put(request("Import", header=header))
         invited = False

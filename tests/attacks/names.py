@@ -5,6 +5,7 @@ import urllib.request
 
 import grpc
 
+import scans
 from attack import Attack
 from client import METHODS, Client, Live, end_of
 
@@ -37,6 +38,56 @@ class NamesForgeNoLogLines(Attack):
         if written > 64 << 10:
             self.hole("%d KiB of log for 7 calls" % (written >> 10))
         return ", ".join(codes) + "; %d bytes of log" % written
+
+
+class NamesLeadNowhereElse(Attack):
+    """Names in use, look-alikes, and beginnings of ids: each would change what a reference means."""
+    finding = "names"
+    witness_session = ""
+
+    def attack(self, server):
+        olga, mallory = self.owner, Client(server, "mallory")
+        file = scans.sphere(5)
+        there = olga.import_scan("precious", file, 4, scans.sha256(file))
+        wanted = ["precious", "Precious", "precious ", "\u3000precious", "precious\u200b",
+                  "\ufeffprecious", "pre\u00adcious", "pre\u200dcious", "ｐrecious", "   ",
+                  there[:4], there[:8].upper(), there[:12], there[:63], there]
+        for number, name in enumerate(wanted):
+            if self.imports(mallory, name, scans.sphere(6 + number), exact_name=True):
+                self.hole("a scan was imported as %r" % name)
+            self.imports(mallory, name, scans.sphere(6 + number))  # gets another name
+        spare = scans.sphere(30)
+        mallory.import_scan("spare", spare, 4, scans.sha256(spare))
+        for name in wanted:
+            if mallory.code("RenameScan", scan="spare", name=name) == "OK":
+                self.hole("a scan was renamed to %r" % name)
+                mallory.code("RenameScan", scan=name, name="spare")
+        names = [scan.name for scan in olga.ask("ListScans").scans]
+        for name in wanted[1:]:
+            if name in names:
+                self.hole("a scan is called %r" % name)
+        for reference in ("precious", there[:4], there[:8], there[:12], there):
+            if olga.ask("DescribeScan", scan=reference).scan.id != there:
+                self.hole("%r leads to another scan" % reference)
+        if not self.imports(mallory, "precious", file):
+            self.hole("the same bytes cannot be imported again")
+        return "%d names tried; scans %s; %d sessions" % (len(wanted), names, self.open_all(mallory))
+
+    @staticmethod
+    def imports(client, name, file, **header):
+        try:
+            client.import_scan(name, file, 4, scans.sha256(file), **header)
+            return True
+        except grpc.RpcError:
+            return False
+
+    def open_all(self, client):
+        names = ("open", "open ", " open", "open\u200b", "\ufeffopen", "   ")
+        opened = [name for name in names
+                  if client.code("OpenSession", scan="precious", name=name, depth=4) == "OK"]
+        if len(opened) > 1:
+            self.hole("sessions of one look: %r" % opened)
+        return len(opened)
 
 
 class LongNameIsAnsweredAsItself(Attack):

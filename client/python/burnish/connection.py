@@ -76,21 +76,22 @@ class Connection:
         """Sends a mesh file, or a mesh, and returns the scan once it is prepared.
 
         The file alone is sent: pack an OBJ with its textures as .zip before. A file that the
-        server knows is not sent again, and keeps its name. `name` is the file's by default;
+        server knows is not sent again, and keeps its name. `name` is refused when another scan has
+        it; by default it is the file's, with a number when another scan has that one;
         `depth` of the grid is 4 to 12, or 0 for the server's choice.
         """
         if isinstance(source, Mesh):
             file: BinaryIO = io.BytesIO(source.to_ply())
-            return self._import(file, name or "mesh", common_pb2.MESH_FORMAT_PLY, depth, progress)
+            return self._import(file, name, "mesh", common_pb2.MESH_FORMAT_PLY, depth, progress)
         kind = format_of(source)
         with open(source, "rb") as file:
-            return self._import(file, name or pathlib.Path(source).stem, kind, depth, progress)
+            return self._import(file, name, pathlib.Path(source).stem, kind, depth, progress)
 
-    def _import(self, file: BinaryIO, name: str, kind: common_pb2.MeshFormat, depth: int,
-                progress: Progress | None) -> Scan:
+    def _import(self, file: BinaryIO, name: str | None, otherwise: str,
+                kind: common_pb2.MeshFormat, depth: int, progress: Progress | None) -> Scan:
         sha256, size = sha256_of(file)
-        header = library_pb2.ImportHeader(name=name, format=kind, size_bytes=size, sha256=sha256,
-                                          depth=depth)
+        header = library_pb2.ImportHeader(name=name or otherwise, format=kind, size_bytes=size,
+                                          sha256=sha256, depth=depth, exact_name=bool(name))
 
         def send() -> Scan:
             file.seek(0)

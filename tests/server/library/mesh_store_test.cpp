@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "common/base/limits.h"
+#include "common/transfer/chunk.h"
 #include "server/library/scan_record.h"
 #include "server/memory/opening_need.h"
 #include "server/prepare/prepared_file.h"
@@ -83,11 +84,55 @@ TEST(MeshStore, AScanKeepsItsUnitOverARestart) {
   EXPECT_EQ(library.store->find("ball")->unit, "mm");
 }
 
-TEST(MeshStore, ANameOfTwoScansIsAmbiguous) {
+Result<ImportOutcome> import_exactly(TestLibrary& library, const std::string& bytes,
+                                     const std::string& name) {
+  const ImportHeader header{name, MeshFormat::kPly, bytes.size(), "", {5, 0}, true};
+  ASSIGN_OR_RETURN(const auto upload, library.store->begin_upload(header));
+  RETURN_IF_ERROR(upload->append(0, bytes, chunk_crc32(bytes)));
+  return library.store->import(*upload, header, {});
+}
+
+TEST(MeshStore, AnotherScansNameOrItsLookIsRefusedAndTheSameBytesAreNot) {
   TestLibrary library;
-  ASSERT_TRUE(library.import(sphere_file(1), "twin").is_ok());
-  ASSERT_TRUE(library.import(sphere_file(2), "twin").is_ok());
-  EXPECT_THAT(library.store->find("twin").status().message(), HasSubstr("2 scans match"));
+  const ScanInfo first = library.import(sphere_file(1), "twin").value().scan;
+  for (const char* name : {"twin", "Twin", "t\u200dwin"}) {
+    const Status refused = import_exactly(library, sphere_file(2), name).status();
+    EXPECT_EQ(refused.code(), StatusCode::kAlreadyExists) << name;
+    EXPECT_THAT(refused.message(), HasSubstr(short_id(first.id)));
+  }
+  EXPECT_TRUE(import_exactly(library, sphere_file(1), "twin")->already_present);
+  EXPECT_TRUE(import_exactly(library, sphere_file(1), "face").value().already_present);
+  EXPECT_EQ(library.store->find("twin")->id, first.id);
+  EXPECT_EQ(library.staged_files(), 0u);
+}
+
+TEST(MeshStore, ARenamedScanTakesNoOthersNameAndMayTakeItsOwnInAnotherCase) {
+  TestLibrary library;
+  ASSERT_TRUE(library.import(sphere_file(1), "one").is_ok());
+  ASSERT_TRUE(library.import(sphere_file(2), "two").is_ok());
+  EXPECT_EQ(library.store->rename("two", "one").status().code(), StatusCode::kAlreadyExists);
+  EXPECT_EQ(library.store->rename("two", "beef").status().code(), StatusCode::kInvalidArgument);
+  EXPECT_EQ(library.store->rename("two", "Two")->name, "Two");
+  EXPECT_EQ(library.store->rename("Two", "three")->name, "three");
+  EXPECT_EQ(library.store->rename("one", "two")->name, "two");
+}
+
+TEST(MeshStore, AnImportWhoseNameNeedNotBeExactGetsAFreeOne) {
+  TestLibrary library;
+  const auto import = [&](int size, const std::string& name) {
+    return library.import(sphere_file(size), name).value().scan.name;
+  };
+  EXPECT_EQ(import(1, "scan"), "scan");
+  EXPECT_EQ(import(2, "scan"), "scan (2)");
+  EXPECT_EQ(import(3, "face "), "face (1)");
+  EXPECT_EQ(import(1, "scan"), "scan");
+}
+
+TEST(MeshStore, FewerThanFourDigitsAreNotTheBeginningOfAnId) {
+  TestLibrary library;
+  const ScanInfo scan = library.import(sphere_file(), "ball").value().scan;
+  EXPECT_TRUE(library.store->find(scan.id.substr(0, 4)).is_ok());
+  EXPECT_EQ(library.store->find(scan.id.substr(0, 3)).status().code(), StatusCode::kNotFound);
 }
 
 TEST(MeshStore, AFileThatIsNoMeshLeavesNothing) {

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+
+#include "common/base/status.h"
+#include "server/library/scan_index.h"
+
+namespace burnish {
+
+/// The names of scans, each given once: a reference must not change its meaning because somebody
+/// imports. Knows what this server knows; another server of a fleet may give a name at the same
+/// moment. Thread-safe.
+class ScanNames {
+ private:
+  struct State {
+    std::mutex mutex;
+    std::set<std::string> given;  // looks of the names that are held
+  };
+
+ public:
+  /// A name that nobody else gets while this lives.
+  class Hold {
+   public:
+    Hold(std::shared_ptr<State> state, std::string name, std::string look)
+        : state_(std::move(state)), name_(std::move(name)), look_(std::move(look)) {}
+    Hold(Hold&&) noexcept = default;
+    Hold& operator=(Hold&&) = delete;
+    ~Hold();
+
+    const std::string& name() const { return name_; }
+
+   private:
+    std::shared_ptr<State> state_;  // null: moved away
+    std::string name_;
+    std::string look_;
+  };
+
+  /// Needs: `index` outlives this.
+  explicit ScanNames(const ScanIndex& index) : index_(index) {}
+
+  /// Holds a name for the scan `id` until the index has it. Unless it must be `exact`, it becomes
+  /// numbered_scan_name(). Fails: invalid_argument, as check_scan_name(); already_exists that names
+  /// the scan that has the name, or one that looks like it.
+  Result<Hold> hold(const std::string& id, const std::string& name, bool exact);
+
+ private:
+  const ScanIndex& index_;
+  const std::shared_ptr<State> state_ = std::make_shared<State>();
+};
+
+}  // namespace burnish
