@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "server/live/refused_edits.h"
+
 namespace burnish {
 
 using std::chrono::steady_clock;
@@ -80,6 +82,7 @@ void Subscriber::acknowledge(EditsAcknowledged answered, size_t bytes) {
 }
 
 void Subscriber::refuse(EditsRefused answered, size_t bytes) {
+  report_refused_edits(answered);
   answer(std::move(answered), bytes);
 }
 
@@ -96,6 +99,7 @@ void Subscriber::answer(ServerMessage message, size_t bytes) {
 }
 
 void Subscriber::refuse_unexpected(EditsRefused answered) {
+  report_refused_edits(answered);
   {
     const std::lock_guard lock(mutex_);
     if (closed_) return;

@@ -1,6 +1,7 @@
 #include "server/rpc/get_page_values_call.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "common/wire/page_values_wire.h"
 #include "server/manager/cell_values.h"
@@ -35,7 +36,11 @@ static Status check_pages(std::span<const PageId> pages, uint32_t count) {
     if (page >= count)
       return invalid_argument("page " + std::to_string(page) + " is outside 0.." +
                               std::to_string(count - 1));
-  return Status::ok();
+  std::vector<PageId> rising(pages.begin(), pages.end());
+  std::ranges::sort(rising);
+  const auto twice = std::ranges::adjacent_find(rising);
+  if (twice == rising.end()) return Status::ok();
+  return invalid_argument("page " + std::to_string(*twice) + " is named twice");
 }
 
 Status GetPageValuesCall::send_first() {

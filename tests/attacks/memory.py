@@ -129,7 +129,7 @@ class LookingIsCountedAsOpening(Attack):
 
 
 class PageValuesHoldNoWorkersFromOthers(Attack):
-    """A viewer asks for the values of thousands of pages, in dozens of calls."""
+    """A viewer asks for the values of one page thousands of times, in dozens of calls."""
     finding = "H6"
     scan_rows = 300
     answer_s_max = 3
