@@ -9,6 +9,7 @@
 
 namespace burnish {
 
+static constexpr auto kGoing = std::chrono::seconds(2);
 static constexpr char kApplication[] = "burnish fleet";
 
 static PgPatience patience_of(const LeaseTimes& times) {
@@ -20,11 +21,20 @@ Result<std::unique_ptr<Membership>> Membership::join(const PgAddress& address,
                                                      const LeaseTimes& times) {
   ASSIGN_OR_RETURN(PgConnection connection, PgConnection::open(address, {}, kApplication));
   std::string life = new_life();
-  const PgOutcome entered = connection.transact(enter_life(node, life, times.lease));
-  RETURN_IF_ERROR(entered.why);
-  if (entered.replies.back().affected() == 0)
-    return failed_precondition("another server joined the fleet as '" + node.name +
-                               "' at this moment");
+  // The database needs a moment until it notices that a killed server's connections are gone.
+  const Time end = std::chrono::steady_clock::now() + kGoing;
+  for (;;) {
+    const PgOutcome entered = connection.transact(enter_life(node, life, times.lease));
+    RETURN_IF_ERROR(entered.why);
+    if (entered.replies.back().affected() > 0) break;
+    if (std::chrono::steady_clock::now() < end) {
+      std::this_thread::sleep_for(kGoing / 20);
+      continue;
+    }
+    return failed_precondition("a server runs in the fleet as '" + node.name +
+                               "', and its lease lives; stop it, or give this one another "
+                               "fleet.name");
+  }
   return std::unique_ptr<Membership>(
       new Membership(address, node, times, std::move(connection), std::move(life)));
 }

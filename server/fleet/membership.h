@@ -46,7 +46,8 @@ struct MemberDuties {
 class Membership {
  public:
   /// Ends an earlier life of this name, so that a restarted server has its sessions back at once.
-  /// Needs: the tables of the journal; no other running server of this name. Fails: unavailable.
+  /// Needs: the tables of the journal. Fails: failed_precondition (a server of this name has a
+  /// lease and a connection); unavailable.
   static Result<std::unique_ptr<Membership>> join(const PgAddress& address, const NodeFacts& node,
                                                   const LeaseTimes& times);
 

@@ -27,10 +27,16 @@ static PgStatement enter(const NodeFacts& node, const std::string& life,
   return {kEnter, {PgText{life}, PgText{node.name}, PgText{node.address}, int64_t{lease.count()}}};
 }
 
+// A life whose lease lives and that has a connection runs. One that was killed has none.
+static constexpr char kEnds[] =
+    "name = $1 AND (lease_until < clock_timestamp() OR NOT EXISTS (SELECT FROM pg_stat_activity"
+    " WHERE application_name = 'burnish ' || CAST(nodes.id AS text)))";
+
 std::vector<PgStatement> enter_life(const NodeFacts& node, const std::string& life,
                                     std::chrono::milliseconds lease) {
-  return {{std::string(kCutConnections) + "name = $1", {PgText{node.name}}},
-          {"DELETE FROM nodes WHERE name = $1", {PgText{node.name}}},
+  return {{std::string(kCutConnections) + "name = $1 AND lease_until < clock_timestamp()",
+           {PgText{node.name}}},
+          {std::string("DELETE FROM nodes WHERE ") + kEnds, {PgText{node.name}}},
           enter(node, life, lease)};
 }
 

@@ -22,7 +22,7 @@ struct NodeFacts {
 std::string new_life();
 
 /// Ends the earlier life of this name, and enters a new one. Sessions of the earlier life are free
-/// then, and its connections are cut.
+/// then. The last statement changes no row if the earlier life has a lease and a connection.
 std::vector<PgStatement> enter_life(const NodeFacts& node, const std::string& life,
                                     std::chrono::milliseconds lease);
 

@@ -226,10 +226,24 @@ TEST_F(MembershipTest, SessionsOfADeadServerAreFreeWhenItsLeaseIsOver) {
 
 TEST_F(MembershipTest, ARestartedServerHasItsSessionsBackAtOnce) {
   one_->beating = {};
+  sql("SELECT pg_terminate_backend(pid) FROM pg_stat_activity"
+      " WHERE application_name LIKE 'burnish %-%'");  // as a kill does
+                                                      // connections
   const Member again(address_, folder_.path(), "one");
   EXPECT_TRUE(again.journal->hold("id-a").is_ok());
   EXPECT_EQ(one_->append(2).end(), End::kUnknown);
   EXPECT_TRUE(again.append(2).is_on_disk());
+}
+
+TEST_F(MembershipTest, ANameOfARunningServerIsRefusedUntilItsLeaseIsOver) {
+  one_->start();
+  const auto join = [&] { return Membership::join(address_, {"one", "x.lab:7411"}, kShortTimes); };
+  const Status refused = join().status();
+  EXPECT_EQ(refused.code(), StatusCode::kFailedPrecondition);
+  EXPECT_THAT(refused.message(), HasSubstr("'one'"));
+  EXPECT_TRUE(one_->append(2).is_on_disk());
+  one_->beating = {};  // it hangs
+  EXPECT_TRUE(Member::until([&] { return join().is_ok(); }));
 }
 
 TEST_F(MembershipTest, SessionsOfAServerThatLeavesAreFreeAtOnce) {
