@@ -7,7 +7,7 @@ import grpc
 
 import scans
 from attack import MIB, Attack
-from client import Client, end_of, outcome_of, request
+from client import PATIENCE_S, Client, end_of, outcome_of, request
 
 CALLS_IN_FLIGHT = 60
 ZIP = 6  # MESH_FORMAT_ZIP
@@ -129,16 +129,20 @@ class LookingIsCountedAsOpening(Attack):
 
 
 class PageValuesHoldNoWorkersFromOthers(Attack):
-    """A viewer asks for the values of one page thousands of times, in dozens of calls."""
+    """A viewer asks for the values of as many pages as the scan has, in dozens of calls at once."""
     finding = "H6"
     scan_rows = 300
     answer_s_max = 3
     growth_mib_max = 600
     config = 'workers = 4\n'
-    pages_per_call = 4096
 
     def attack(self, server):
         vera = Client(server, "vera")
+        if self.code_of(vera, [0, 0]) != "INVALID_ARGUMENT":
+            self.hole("a page may be named twice")
+        self.pages = 4096
+        while self.pages > 1 and self.code_of(vera, range(self.pages)) == "INVALID_ARGUMENT":
+            self.pages -= max(1, self.pages // 4)
         calls = self.size(CALLS_IN_FLIGHT, 3 * CALLS_IN_FLIGHT)
         self.outcomes, self.end = [], time.monotonic() + self.size(8, 60)
         threads = [threading.Thread(target=self.fetch, args=(vera,), daemon=True)
@@ -147,12 +151,18 @@ class PageValuesHoldNoWorkersFromOthers(Attack):
             thread.start()
         for thread in threads:
             thread.join()
-        return "%d calls, %d answered in time" % (calls, self.outcomes.count("OK"))
+        return "%d calls of %d pages, %d answered in time" % (calls, self.pages,
+                                                              self.outcomes.count("OK"))
+
+    @staticmethod
+    def code_of(client, pages, timeout=PATIENCE_S):
+        return end_of(client.read("GetPageValues", timeout=timeout, session="others",
+                                  value="CELL_VALUE_BETA", pages=pages))
 
     def fetch(self, vera):
-        self.outcomes.append(end_of(vera.read(
-            "GetPageValues", timeout=max(1, self.end - time.monotonic()), session="others",
-            value="CELL_VALUE_BETA", pages=[0] * self.pages_per_call)))
+        while time.monotonic() < self.end:
+            left = max(1, self.end - time.monotonic())
+            self.outcomes.append(self.code_of(vera, range(self.pages), left))
 
 
 class QueueOfMessagesHasAnEnd(PageValuesHoldNoWorkersFromOthers):
