@@ -40,7 +40,7 @@ Status App::run(AppOptions options, Preferences preferences) {
 
 // Leaves half of the card's free memory to others.
 static PageBudget budget_of(const Capabilities& card, uint64_t triangles_max) {
-  PageBudget budget = card.is_software ? software_budget() : PageBudget();
+  PageBudget budget = card.is_software ? processor_budget() : PageBudget();
   if (triangles_max > 0) budget.triangles = triangles_max;
   if (card.free_bytes > 0) budget.card_bytes = std::min(budget.card_bytes, card.free_bytes / 2);
   return budget;
@@ -51,16 +51,16 @@ Status App::start(Preferences preferences) {
   if (size.width == 0) size = {preferences.window_width, preferences.window_height};
   scale_at_start_ = preferences.scale;
   ASSIGN_OR_RETURN(window_, Window::create(size, look_of(preferences), make_events()));
-  ASSIGN_OR_RETURN(renderer_, GlPageRenderer::create());
   const Capabilities card = card_capabilities();
-  options_.workspace.is_software = card.is_software;
+  ASSIGN_OR_RETURN(renderer_, WindowRenderer::create(card));
   options_.workspace.shows_raw = true;
   options_.workspace.budget = budget_of(card, options_.triangles_max);
   options_.workspace.wake = [this] {
     news_ = true;
     Window::wake();
   };
-  workspace_ = std::make_unique<Workspace>(*renderer_, std::move(preferences), options_.workspace);
+  workspace_ =
+      std::make_unique<Workspace>(renderer_->pages(), std::move(preferences), options_.workspace);
   if (!options_.record.empty()) RETURN_IF_ERROR(workspace_->recorder.open(options_.record));
   const std::string lack = Pen::lack();
   if (!lack.empty()) workspace_->log.info("a pen's pressure does not count: " + lack);

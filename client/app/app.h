@@ -15,8 +15,8 @@
 #include "client/app/start_page.h"
 #include "client/app/toasts.h"
 #include "client/app/window.h"
+#include "client/app/window_renderer.h"
 #include "client/gl/fence.h"
-#include "client/gl/gl_page_renderer.h"
 #include "client/model/bindings.h"
 #include "client/model/leaving.h"
 #include "client/model/letters.h"
@@ -69,6 +69,8 @@ class App {
   Status draw();
   Status draw_picture();
   Status draw_surface(std::chrono::steady_clock::time_point begun_at);
+  bool is_smooth() const;
+  bool is_slower_than_moving() const;
   bool keeps_raw_picture() const;
   void draw_panels();
   void draw_menu_bar();
@@ -89,7 +91,7 @@ class App {
   std::atomic<bool> news_{true};
   std::string title_;  // of the window
   std::unique_ptr<Window> window_;
-  std::unique_ptr<GlPageRenderer> renderer_;
+  std::unique_ptr<WindowRenderer> renderer_;
   std::unique_ptr<Workspace> workspace_;
 
   StartPage start_page_;
@@ -139,6 +141,7 @@ class App {
     ImageSize size;
     Camera camera;
     DrawStyle style;
+    bool is_smooth = true;
     bool operator==(const Shown&) const = default;
   };
   Shown shown_;

@@ -75,7 +75,7 @@ void App::ask_for_picture() {
 
 void App::take_screenshot(const std::filesystem::path& file) {
   workspace_->record_picture(file);
-  const auto image = renderer_->read_pixels();
+  const auto image = renderer_->pages().read_pixels();
   const Status written = image.is_ok() ? write_png(*image, file) : image.status();
   if (!written.is_ok()) return workspace_->log.failure("screenshot", written);
   std::error_code ignored;

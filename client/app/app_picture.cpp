@@ -13,7 +13,7 @@ Status App::draw() {
   window_->begin_frame();
   close_lists_at_escape();
   draw_panels();
-  renderer_->clear_window();
+  clear_window();
   const Status drawn = workspace_->has_picture() ? draw_picture() : Status::ok();
   window_->end_frame();
   write_places();
@@ -40,7 +40,8 @@ Status App::draw_surface(std::chrono::steady_clock::time_point begun_at) {
             0,
             picture_.size,
             workspace_->viewport.camera,
-            {}};
+            {},
+            is_smooth()};
   if (document) {
     now.changes = document->picture_changes();
     now.style = workspace_->viewport.style(*document);
@@ -49,11 +50,24 @@ Status App::draw_surface(std::chrono::steady_clock::time_point begun_at) {
   shown_ = std::move(now);
   // One of the background alone takes no time, and must not hold the surface up.
   const bool has_surface = document && !document->surface().patches().empty();
+  renderer_->set_smooth(shown_.is_smooth);
   RETURN_IF_ERROR(workspace_->draw());
-  if (!has_surface) return Status::ok();
+  RETURN_IF_ERROR(renderer_->take_picture());
+  if (!has_surface || is_slower_than_moving()) return Status::ok();
   begun_at_ = begun_at;
   drawn_.put();
   return Status::ok();
+}
+
+// Smooth edges take the processors twice the time, so they are for pictures at rest.
+bool App::is_smooth() const {
+  return !renderer_->has_rough_pictures() ||
+         (is_picture_settled() && workspace_->viewport.camera == shown_.camera);
+}
+
+// Such a picture says nothing about how many triangles a moving one may have.
+bool App::is_slower_than_moving() const {
+  return renderer_->has_rough_pictures() && shown_.is_smooth;
 }
 
 // The raw scan's picture stays until that of its session is as fine, or the user turns it.

@@ -47,12 +47,6 @@ Status GlPageRenderer::draw_relief(const Camera& camera, const ImageSize& size,
   return check_gl("drawing");
 }
 
-void GlPageRenderer::clear_window() const {
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glClearColor(0.145f, 0.155f, 0.170f, 1);
-  glClear(GL_COLOR_BUFFER_BIT);
-}
-
 void GlPageRenderer::draw_split(const Camera& camera, const ImageSize& size,
                                 const DrawStyle& style) const {
   glEnable(GL_DEPTH_TEST);

@@ -41,8 +41,6 @@ class GlPageRenderer : public PageRenderer {
   /// Copies the last drawn picture into the window's own buffer, with its lower left corner at this
   /// place.
   void show(const Eigen::Vector2i& lower_left) const { target_.show(lower_left); }
-  /// Clears the window's own buffer to dark and makes it the drawing target.
-  void clear_window() const;
 
  private:
   struct Programs {

@@ -75,7 +75,12 @@ struct PageBudget {
   uint64_t slots() const { return card_bytes / kSlotBytes; }
 };
 
-/// The budget without a graphics card.
+/// The budget where processors draw (client/raster): all of a scan of millions of triangles.
+inline PageBudget processor_budget() {
+  return {.triangles = 8'000'000};
+}
+
+/// The budget where OpenGL draws without a graphics card.
 inline PageBudget software_budget() {
   return {.triangles = 150'000};
 }
