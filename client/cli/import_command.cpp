@@ -51,12 +51,16 @@ Status run(const ImportOptions& options) {
   const std::string name = options.name.empty() ? bundle.mesh().stem().string() : options.name;
   if (!options.alone) warn_of_missing(bundle);
   ProgressPrinter printer;
-  auto outcome = connection.import_scan(bundle, name, options.key, printer.progress(), true);
+  auto outcome =
+      connection.import_scan(bundle, name, options.key, printer.progress(), !options.name.empty());
   if (!outcome.is_ok()) return outcome.status().with_context("import of " + options.file);
   if (!options.name.empty() && outcome->scan.name != options.name)
     std::cerr << "warning: the server has these bytes already; the scan keeps its name "
               << outcome->scan.name << ". To change it: burnish rename scan "
               << short_id(outcome->scan.id) << " '" << options.name << "'\n";
+  if (options.name.empty() && !outcome->already_present && outcome->scan.name != name)
+    std::cerr << "warning: another scan has the name " << name << ", or it may begin an id; "
+              << "this one is " << outcome->scan.name << "\n";
   if (!options.server.json) {
     print(*outcome);
     tell_of_files_beside(bundle);
