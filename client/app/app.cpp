@@ -110,7 +110,7 @@ bool App::may_draw() {
   if (!begun_at_) return true;
   if (!drawn_.is_reached()) return false;
   const auto took = std::chrono::steady_clock::now() - *std::exchange(begun_at_, std::nullopt);
-  workspace_->on_picture(std::chrono::duration<double, std::milli>(took).count());
+  workspace_->on_picture(std::chrono::duration<double, std::milli>(took).count(), surface_ms_);
   return true;
 }
 

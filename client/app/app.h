@@ -146,7 +146,8 @@ class App {
   };
   Shown shown_;
   std::optional<std::chrono::steady_clock::time_point> begun_at_;  // the card draws that picture
-  Fence drawn_;                                                    // behind it
+  std::optional<double> surface_ms_;  // of it, for the surface alone, where processors draw
+  Fence drawn_;                       // behind it
 };
 
 }  // namespace burnish

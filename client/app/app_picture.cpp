@@ -7,6 +7,11 @@
 
 namespace burnish {
 
+static double milliseconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
+      .count();
+}
+
 Status App::draw() {
   const ImageSize size = window_->framebuffer_size();
   if (size.width < kImageSidePixelsMin || size.height < kImageSidePixelsMin) return Status::ok();
@@ -51,7 +56,9 @@ Status App::draw_surface(std::chrono::steady_clock::time_point begun_at) {
   // One of the background alone takes no time, and must not hold the surface up.
   const bool has_surface = document && !document->surface().patches().empty();
   renderer_->set_smooth(shown_.is_smooth);
+  const auto surface_at = std::chrono::steady_clock::now();
   RETURN_IF_ERROR(workspace_->draw());
+  if (renderer_->has_rough_pictures()) surface_ms_ = milliseconds_since(surface_at);
   RETURN_IF_ERROR(renderer_->take_picture());
   if (!has_surface || is_slower_than_moving()) return Status::ok();
   begun_at_ = begun_at;

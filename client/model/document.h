@@ -84,7 +84,8 @@ class Document {
   /// Handles news from the server. Call once per picture; `draws`: otherwise no picture follows.
   void update(bool draws = true);
   /// A picture of this document took so long, from its look() until the card had drawn it.
-  void on_picture(double ms);
+  /// `surface_ms`: of that, for the surface, where panels take as long as it does.
+  void on_picture(double ms, std::optional<double> surface_ms);
   /// Brings what this picture needs to the renderer of open(). Fails: as the renderer does.
   Status look(const Camera& camera, const ImageSize& size);
 

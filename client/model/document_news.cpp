@@ -5,9 +5,9 @@
 
 namespace burnish {
 
-void Document::on_picture(double ms) {
+void Document::on_picture(double ms, std::optional<double> surface_ms) {
   live_->on_picture(std::chrono::microseconds(static_cast<int64_t>(1000 * ms)));
-  surface_->on_picture(ms);
+  surface_->on_picture(surface_ms.value_or(ms));
 }
 
 void Document::update(bool draws) {

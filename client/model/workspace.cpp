@@ -18,8 +18,8 @@ void Workspace::update(bool draws) {
   viewport.update(*document_);
 }
 
-void Workspace::on_picture(double ms) {
-  if (document_) document_->on_picture(ms);
+void Workspace::on_picture(double ms, std::optional<double> surface_ms) {
+  if (document_) document_->on_picture(ms, surface_ms);
 }
 
 Status Workspace::look() {

@@ -65,7 +65,8 @@ class Workspace {
   /// Handles all news since the last picture.
   void update(bool draws = true);
   /// A picture took so long, from its look() until the card had drawn it.
-  void on_picture(double ms);
+  /// `surface_ms`: of that, for the surface, where panels take as long as it does.
+  void on_picture(double ms, std::optional<double> surface_ms = {});
   /// Brings what the viewport's picture needs to the renderer. Fails: as the renderer does.
   Status look();
 
