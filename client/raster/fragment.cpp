@@ -178,7 +178,7 @@ ShadeVector base_colour(const ShadedScene& scene, const SeenTriangle& triangle,
   return base;
 }
 
-/// What rings put over a surface, and what they leave of it.
+/// Keeps the colour that rings put over a surface, and the part of it that they leave.
 struct RingCover {
   ShadeVector colour{0, 0, 0};
   float left = 1;

@@ -8,7 +8,8 @@
 
 namespace burnish {
 
-/// The farthest sample in each tile of a picture. What lies behind all tiles of its box is hidden.
+/// Keeps the farthest sample in each tile of a picture. Things behind all tiles of their box are
+/// hidden.
 class NearnessTiles {
  public:
   void measure(const Visibility& visibility, WorkCrew& crew);

@@ -21,7 +21,7 @@ RasterNormal raster_normal(const Vec3f& normal, float ridge);
 /// So many triangles that follow each other have a box, so that a page may be hidden in part.
 inline constexpr uint32_t kRunTriangles = 128;
 
-/// What a page shows with its displacements, or without.
+/// Holds one surface of a page: with its displacements, or without.
 struct RasterSurface {
   std::vector<Vec3f> positions;
   std::vector<RasterNormal> normals;

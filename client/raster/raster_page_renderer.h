@@ -33,7 +33,7 @@ class RasterPageRenderer : public PageRenderer {
               std::span<const PatchRange> patches) override;
   Result<Image> read_pixels() override;
 
-  /// Of the pictures from the next draw() on. Four at first.
+  /// Chooses the samples a pixel from the next draw() on. Four at first.
   void set_sampling(RasterSampling sampling) { sampling_ = sampling; }
 
   /// Returns the last drawn picture without a copy; empty before the first draw().

@@ -9,7 +9,7 @@
 
 namespace burnish {
 
-/// What a sample shows, in camera space.
+/// Describes the surface that a sample shows, in camera space.
 struct ReliefPlace {
   ShadeVector n{0, 0, 1};
   float away = 0;  ///< distance along the view; 0: nothing is there

@@ -6,7 +6,7 @@
 
 namespace burnish {
 
-/// What light from the surroundings needs of a sample that shows a surface.
+/// Keeps, of a sample that shows a surface, the values that light from the surroundings needs.
 struct SampleRelief {
   std::array<int16_t, 3> normal{};  ///< camera space, times 32767
   uint16_t strength = 0;            ///< of the light, times 65535

@@ -6,7 +6,7 @@
 
 namespace burnish {
 
-// What shaders have, for loops over pixels side by side: no branches and no calls.
+// Replaces functions of shaders in loops over pixels side by side: no branches and no calls.
 
 #define BURNISH_SHADE [[gnu::always_inline]] inline
 

@@ -17,9 +17,9 @@ struct ScreenTriangles {
   uint32_t first_id = 0;  ///< triangle_id() of the first one
 };
 
-/// Puts triangles into a picture's visibility. Both sides are seen. Of triangles that share an edge
-/// exactly one covers a sample on it. `is_shared`: other threads fill the same picture.
-/// Triangles with a vertex that is_beyond are not filled; returns how many numbers of such
+/// Puts triangles into a picture's visibility. Both sides are seen. Exactly one of the
+/// triangles that share an edge covers a sample on it. `is_shared`: other threads fill the same
+/// picture. Triangles with a vertex that is_beyond are not filled; returns how many numbers of such
 /// triangles, counted from the first one, it has written to `left`. Needs: room for all.
 int fill_triangles(Visibility& visibility, const ColumnRange& columns, bool is_shared,
                    const ScreenTriangles& triangles, uint16_t* left);

@@ -9,8 +9,8 @@
 
 namespace burnish {
 
-/// What a sample of the picture shows: nearness above, the triangle below. A larger one covers a
-/// smaller one, so the picture is the same for any order of triangles.
+/// Names what a sample of the picture shows: nearness above, the triangle below. A larger one
+/// covers a smaller one, so the picture is the same for any order of triangles.
 using SampleKey = uint64_t;
 
 inline constexpr SampleKey kNothingSeen = 0;
@@ -28,7 +28,7 @@ inline constexpr uint32_t triangle_of_id(uint32_t id) {
   return id & (kPageTrianglesMax - 1);
 }
 
-// Of two triangles at the same distance the one with the smaller number is seen.
+// The triangle with the smaller number is seen where two are at the same distance.
 inline uint32_t id_of_key(SampleKey key) {
   return ~static_cast<uint32_t>(key);
 }
@@ -52,7 +52,7 @@ inline const SamplePlaces& sample_places(int samples) {
   return samples == 1 ? kOneSample : kFourSamples;
 }
 
-/// What every sample of a picture shows, pixel by pixel in rows from above.
+/// Keeps what every sample of a picture shows, pixel by pixel in rows from above.
 struct Visibility {
   ImageSize size;
   int samples = 1;
