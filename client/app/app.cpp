@@ -83,8 +83,9 @@ Status App::loop() {
   int pictures = kPicturesAfterEvent;
   for (;;) {
     window_->wait(seconds_to_wait(pictures));
-    const bool timed_out = !window_->take_dirty() && !news_.exchange(false);
-    pictures = timed_out ? std::max(pictures, 1) : kPicturesAfterEvent;
+    const bool has_news = window_->take_dirty() || news_.exchange(false);
+    is_idle_ = !has_news && pictures <= 0;
+    pictures = has_news ? kPicturesAfterEvent : std::max(pictures, 1);
     const bool draws = may_draw();
     if (draws) window_->deliver();
     workspace_->update(draws);
@@ -102,7 +103,7 @@ Status App::loop() {
 double App::seconds_to_wait(int pictures) {
   if (!may_draw()) return kDrawingSeconds;
   if (pictures > 0) return 0;
-  return is_picture_settled() ? kIdleSeconds : kFinerSeconds;
+  return is_surface_at_rest() ? kIdleSeconds : kFinerSeconds;
 }
 
 // A picture begins when the card has drawn the last one, so that none waits behind others.
@@ -110,7 +111,8 @@ bool App::may_draw() {
   if (!begun_at_) return true;
   if (!drawn_.is_reached()) return false;
   const auto took = std::chrono::steady_clock::now() - *std::exchange(begun_at_, std::nullopt);
-  workspace_->on_picture(std::chrono::duration<double, std::milli>(took).count(), surface_ms_);
+  workspace_->on_picture(std::chrono::duration<double, std::milli>(took).count(),
+                         renderer_->surface_ms());
   return true;
 }
 

@@ -67,10 +67,12 @@ class App {
   void open_files(const std::vector<std::filesystem::path>& files);
 
   Status draw();
-  Status draw_picture();
+  bool shows_surface() const;
+  void show_picture();
+  Status update_surface(std::chrono::steady_clock::time_point now);
   Status draw_surface(std::chrono::steady_clock::time_point begun_at);
-  bool is_smooth() const;
   bool is_slower_than_moving() const;
+  bool is_surface_at_rest() const;
   bool keeps_raw_picture() const;
   void draw_panels();
   void draw_menu_bar();
@@ -89,7 +91,8 @@ class App {
   AppOptions options_;
   Bindings bindings_;
   std::atomic<bool> news_{true};
-  std::string title_;  // of the window
+  bool is_idle_ = false;  // nothing has happened since the last pictures
+  std::string title_;     // of the window
   std::unique_ptr<Window> window_;
   std::unique_ptr<WindowRenderer> renderer_;
   std::unique_ptr<Workspace> workspace_;
@@ -144,10 +147,12 @@ class App {
     bool is_smooth = true;
     bool operator==(const Shown&) const = default;
   };
+  Shown next_shown() const;
   Shown shown_;
+  bool is_surface_new_ = false;                       // the window does not show it yet
+  std::chrono::steady_clock::time_point changed_at_;  // but for smoothness
   std::optional<std::chrono::steady_clock::time_point> begun_at_;  // the card draws that picture
-  std::optional<double> surface_ms_;  // of it, for the surface alone, where processors draw
-  Fence drawn_;                       // behind it
+  Fence drawn_;                                                    // behind it
 };
 
 }  // namespace burnish

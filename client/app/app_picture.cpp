@@ -7,10 +7,8 @@
 
 namespace burnish {
 
-static double milliseconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
-      .count();
-}
+// Smooth edges take the processors twice the time, so they are for pictures at rest.
+static constexpr std::chrono::milliseconds kRest{100};
 
 Status App::draw() {
   const ImageSize size = window_->framebuffer_size();
@@ -18,63 +16,78 @@ Status App::draw() {
   window_->begin_frame();
   close_lists_at_escape();
   draw_panels();
-  clear_window();
-  const Status drawn = workspace_->has_picture() ? draw_picture() : Status::ok();
-  window_->end_frame();
+  const auto now = std::chrono::steady_clock::now();
+  const bool is_new = shows_surface() && !(is_idle_ && is_surface_at_rest());
+  const Status drawn = is_new ? update_surface(now) : Status::ok();
+  const bool has_new_panels = window_->end_frame();
+  if (std::exchange(is_surface_new_, false) || has_new_panels) show_picture();
   write_places();
   return drawn;
 }
 
-// Draws the picture between the panels, if they leave room.
-Status App::draw_picture() {
-  if (!check_image_size(picture_.size).is_ok()) return Status::ok();
-  const auto begun_at = std::chrono::steady_clock::now();
-  workspace_->viewport.set_size(picture_.size);
-  RETURN_IF_ERROR(workspace_->look());
-  RETURN_IF_ERROR(draw_surface(begun_at));
+// The surface lies between the panels, if they leave room.
+bool App::shows_surface() const {
+  return workspace_->has_picture() && check_image_size(picture_.size).is_ok();
+}
+
+void App::show_picture() {
+  clear_window();
   const int bottom = window_->framebuffer_size().height - picture_.y - picture_.size.height;
-  renderer_->show({picture_.x, bottom});
-  return Status::ok();
+  if (shows_surface()) renderer_->show({picture_.x, bottom});
+  window_->show_frame();
 }
 
 // Draws the surface again if its picture has changed.
-Status App::draw_surface(std::chrono::steady_clock::time_point begun_at) {
+Status App::update_surface(std::chrono::steady_clock::time_point now) {
+  workspace_->viewport.set_size(picture_.size);
+  RETURN_IF_ERROR(workspace_->look());
+  Shown next = next_shown();
+  if (!(next == shown_)) changed_at_ = now;
+  next.is_smooth = !renderer_->has_rough_pictures() ||
+                   (next == shown_ &&
+                    (shown_.is_smooth || (is_picture_settled() && now - changed_at_ >= kRest)));
+  if (next == shown_ || keeps_raw_picture()) return Status::ok();
+  shown_ = std::move(next);
+  return draw_surface(now);
+}
+
+// Smooth as the last picture is.
+App::Shown App::next_shown() const {
   const Document* const document = workspace_->document();
-  Shown now{workspace_->pictures_begun(),
-            document == nullptr,
-            0,
-            picture_.size,
-            workspace_->viewport.camera,
-            {},
-            is_smooth()};
+  Shown next{.surface = workspace_->pictures_begun(),
+             .is_raw = document == nullptr,
+             .size = picture_.size,
+             .camera = workspace_->viewport.camera,
+             .is_smooth = shown_.is_smooth};
   if (document) {
-    now.changes = document->picture_changes();
-    now.style = workspace_->viewport.style(*document);
+    next.changes = document->picture_changes();
+    next.style = workspace_->viewport.style(*document);
   }
-  if (now == shown_ || keeps_raw_picture()) return Status::ok();
-  shown_ = std::move(now);
-  // One of the background alone takes no time, and must not hold the surface up.
-  const bool has_surface = document && !document->surface().patches().empty();
+  return next;
+}
+
+Status App::draw_surface(std::chrono::steady_clock::time_point begun_at) {
   renderer_->set_smooth(shown_.is_smooth);
-  const auto surface_at = std::chrono::steady_clock::now();
   RETURN_IF_ERROR(workspace_->draw());
-  if (renderer_->has_rough_pictures()) surface_ms_ = milliseconds_since(surface_at);
   RETURN_IF_ERROR(renderer_->take_picture());
+  is_surface_new_ = true;
+  // One of the background alone takes no time, and must not hold the surface up.
+  const Document* const document = workspace_->document();
+  const bool has_surface = document && !document->surface().patches().empty();
   if (!has_surface || is_slower_than_moving()) return Status::ok();
   begun_at_ = begun_at;
   drawn_.put();
   return Status::ok();
 }
 
-// Smooth edges take the processors twice the time, so they are for pictures at rest.
-bool App::is_smooth() const {
-  return !renderer_->has_rough_pictures() ||
-         (is_picture_settled() && workspace_->viewport.camera == shown_.camera);
-}
-
 // Such a picture says nothing about how many triangles a moving one may have.
 bool App::is_slower_than_moving() const {
   return renderer_->has_rough_pictures() && shown_.is_smooth;
+}
+
+// Whether all is drawn, as far as it is here.
+bool App::is_surface_at_rest() const {
+  return is_picture_settled() && (!shows_surface() || (shown_.is_smooth && next_shown() == shown_));
 }
 
 // The raw scan's picture stays until that of its session is as fine, or the user turns it.

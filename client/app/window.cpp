@@ -64,7 +64,7 @@ std::string Window::set_look(const WindowLook& look) {
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
   }
-  dirty_ = true;
+  dirty_ = is_lost_ = true;
   return missing;
 }
 
@@ -135,8 +135,13 @@ void Window::begin_frame() {
   ImGui::NewFrame();
 }
 
-void Window::end_frame() {
+bool Window::end_frame() {
   ImGui::Render();
+  return panels_.take(*ImGui::GetDrawData()) || is_lost_;
+}
+
+void Window::show_frame() {
+  is_lost_ = false;
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
   glfwSwapBuffers(window_);
 }

@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include "client/app/panels_copy.h"
 #include "client/app/pen.h"
 #include "client/model/input_queue.h"
 #include "client/model/viewport.h"
@@ -75,9 +76,12 @@ class Window {
   /// no font here has; empty: all are drawn.
   std::string set_look(const WindowLook& look);
 
-  /// Begin and end ImGui's frame, which draws over the content of the framebuffer.
+  /// Begin and end ImGui's frame. The end returns whether its panels differ from those on the
+  /// screen, or the screen has lost them.
   void begin_frame();
-  void end_frame();
+  bool end_frame();
+  /// Draws the panels over the content of the framebuffer, and puts it on the screen.
+  void show_frame();
 
   /// Ends wait(). Any thread may call it.
   static void wake();
@@ -97,6 +101,8 @@ class Window {
   InputQueue input_;  // in the screen's coordinates
   Pen pen_;
   bool dirty_ = true;
+  bool is_lost_ = true;  // the screen lacks the last picture
+  PanelsCopy panels_;
 };
 
 }  // namespace burnish

@@ -76,6 +76,11 @@ void WindowCallbacks::changed(GLFWwindow* window) {
   window_of(window).dirty_ = true;
 }
 
+void WindowCallbacks::lost(GLFWwindow* window) {
+  window_of(window).is_lost_ = true;
+  changed(window);
+}
+
 void WindowCallbacks::install(GLFWwindow* window) {
   glfwSetMouseButtonCallback(window, press);
   glfwSetCursorPosCallback(window, move);
@@ -83,8 +88,8 @@ void WindowCallbacks::install(GLFWwindow* window) {
   glfwSetKeyCallback(window, key);
   glfwSetCharCallback(window, character);
   glfwSetDropCallback(window, drop);
-  glfwSetWindowRefreshCallback(window, changed);
-  glfwSetFramebufferSizeCallback(window, [](GLFWwindow* one, int, int) { changed(one); });
+  glfwSetWindowRefreshCallback(window, lost);
+  glfwSetFramebufferSizeCallback(window, [](GLFWwindow* one, int, int) { lost(one); });
   glfwSetWindowFocusCallback(window, [](GLFWwindow* one, int focused) {
     ImGui_ImplGlfw_WindowFocusCallback(one, focused);
     changed(one);

@@ -19,6 +19,7 @@ struct WindowCallbacks {
   static void drop(GLFWwindow* window, int count, const char** paths);
   static void left(GLFWwindow* window, int entered);
   static void changed(GLFWwindow* window);
+  static void lost(GLFWwindow* window);
   static void add(GLFWwindow* window, const InputEvent& event);
 };
 

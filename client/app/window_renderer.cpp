@@ -27,6 +27,11 @@ Status WindowRenderer::take_picture() {
   return processors_ ? shown_->put(processors_->picture()) : Status::ok();
 }
 
+std::optional<double> WindowRenderer::surface_ms() const {
+  if (!processors_) return std::nullopt;
+  return processors_->draw_ms();
+}
+
 void WindowRenderer::show(const Eigen::Vector2i& lower_left) const {
   if (card_) return card_->show(lower_left);
   shown_->show(lower_left);

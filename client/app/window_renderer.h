@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "client/gl/capabilities.h"
 #include "client/gl/gl_page_renderer.h"
@@ -25,6 +26,8 @@ class WindowRenderer {
 
   /// Takes what pages() has drawn. Fails: resource_exhausted.
   Status take_picture();
+  /// Returns how long processors take for that picture alone; nothing with a card.
+  std::optional<double> surface_ms() const;
   /// Copies that picture into the window's own buffer, with its lower left corner at this place.
   void show(const Eigen::Vector2i& lower_left) const;
 

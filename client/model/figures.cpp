@@ -33,7 +33,7 @@ std::vector<Figure> link_figures(const Document& document) {
       {"server",
        printed("%.1f + %.1f + %.1f ms", frame.assemble_ms, frame.solve_ms, frame.encode_ms)},
       {"frame age", printed("%.0f ms", stats.age_ms)},
-      {"round trip", printed("%.1f ms", stats.rtt_ms)},
+      {"round trip", stats.rtt_ms < 1 ? "under 1 ms" : printed("%.0f ms", stats.rtt_ms)},
       {"frames",
        printed("%.0f/s, %.1f Mbit/s", stats.frames_per_second, stats.megabits_per_second)},
   };

@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "client/model/viewport.h"
 
 namespace burnish {
@@ -7,6 +9,13 @@ static constexpr double kFocusNearer = 0.5;                      // of the dista
 
 void Viewport::frame_all() {
   camera = burnish::frame_all(camera, box_, size_.aspect());
+  framed_ = camera;
+}
+
+void Viewport::set_size(const ImageSize& size) {
+  if (std::exchange(size_, size) == size || !framed_) return;
+  framed_->scene_radius = camera.scene_radius;  // it changes in every picture
+  if (framed_ == camera) frame_all();
 }
 
 void Viewport::go_home() {

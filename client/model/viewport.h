@@ -54,7 +54,8 @@ class Viewport {
   std::vector<Camera> bookmarks;                 ///< at most kBookmarksMax
   Clock clock = std::chrono::steady_clock::now;  ///< tells a double click
 
-  void set_size(const ImageSize& size) { size_ = size; }
+  /// A view that shows the whole scan goes on to do so.
+  void set_size(const ImageSize& size);
   const ImageSize& size() const { return size_; }
 
   void press(PointerButton button, const Modifiers& modifiers, const Eigen::Vector2d& pixel);
@@ -139,6 +140,7 @@ class Viewport {
   void send_ring(Document& document);
 
   ImageSize size_{1, 1};
+  std::optional<Camera> framed_;                           // of the last frame_all()
   Eigen::AlignedBox3d box_{Vec3d::Zero(), Vec3d::Ones()};  // of the scan, file units
   bool paints_ = true;                                     // there is a session to paint on
   Gesture gesture_ = Gesture::kIdle;

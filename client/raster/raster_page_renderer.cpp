@@ -107,6 +107,7 @@ Status RasterPageRenderer::draw(const Camera& camera, const ImageSize& size, con
   RETURN_IF_ERROR(check_image_size(size));
   const std::string what =
       "picture of " + std::to_string(size.width) + "x" + std::to_string(size.height) + " pixels";
+  const double seconds_before = crew_.seconds();
   return with_memory_for(what, [&] {
     const PageProjection projection = make_page_projection(space_, camera, size);
     const ShadedScene scene = make_shaded_scene(pages_, space_, projection, style);
@@ -121,6 +122,7 @@ Status RasterPageRenderer::draw(const Camera& camera, const ImageSize& size, con
     } else {
       shade(scene);
     }
+    draw_ms_ = 1e3 * (crew_.seconds() - seconds_before) / crew_.threads();
     return Status::ok();
   });
 }

@@ -2,11 +2,20 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <ctime>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace burnish {
+
+// Of the calling thread.
+static double processor_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
 
 /// The threads besides the caller's, and the work that they share with it.
 struct WorkCrew::Others {
@@ -16,6 +25,7 @@ struct WorkCrew::Others {
   int parts = 0;
   uint64_t round = 0;  // of works, counted
   int busy = 0;
+  double seconds = 0;  // of this work, by threads that have ended it
   bool is_over = false;
   std::atomic<int> next = 0;
   std::vector<std::jthread> threads;  // last: they use all of the above
@@ -29,8 +39,11 @@ struct WorkCrew::Others {
     threads.clear();
   }
 
-  void take_parts() {
+  /// Returns how long the parts of this thread took.
+  double take_parts() {
+    const double begin = processor_seconds();
     for (int part = next++; part < parts; part = next++) (*work)(part);
+    return processor_seconds() - begin;
   }
 
   void serve() {
@@ -41,8 +54,9 @@ struct WorkCrew::Others {
       if (is_over) return;
       seen = round;
       lock.unlock();
-      take_parts();
+      const double took = take_parts();
       lock.lock();
+      seconds += took;
       if (--busy == 0) changed.notify_all();
     }
   }
@@ -58,7 +72,9 @@ WorkCrew::~WorkCrew() = default;
 
 void WorkCrew::run(int parts, const std::function<void(int)>& work) {
   if (!others_) {
+    const double begin = processor_seconds();
     for (int part = 0; part < parts; ++part) work(part);
+    seconds_ += processor_seconds() - begin;
     return;
   }
   std::unique_lock lock(others_->mutex);
@@ -69,9 +85,10 @@ void WorkCrew::run(int parts, const std::function<void(int)>& work) {
   ++others_->round;
   lock.unlock();
   others_->changed.notify_all();
-  others_->take_parts();
+  const double took = others_->take_parts();
   lock.lock();
   others_->changed.wait(lock, [this] { return others_->busy == 0; });
+  seconds_ += took + std::exchange(others_->seconds, 0);
 }
 
 }  // namespace burnish

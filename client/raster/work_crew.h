@@ -20,9 +20,14 @@ class WorkCrew {
   /// Needs: work() throws nothing.
   void run(int parts, const std::function<void(int part)>& work);
 
+  /// Returns how long all threads together have worked in run(), in seconds of processors: what
+  /// else the machine does is not in it.
+  double seconds() const { return seconds_; }
+
  private:
   struct Others;
   int threads_;
+  double seconds_ = 0;
   std::unique_ptr<Others> others_;  // null without any
 };
 

@@ -20,5 +20,20 @@ TEST(WorkCrew, DoesEachPartOnceWithAnyNumberOfThreads) {
   }
 }
 
+TEST(WorkCrew, CountsTheTimeOfAllThreadsAndNoneOfItsWaits) {
+  for (const int threads : {1, 3}) {
+    WorkCrew crew(threads);
+    EXPECT_EQ(crew.seconds(), 0);
+    std::atomic<uint64_t> sum = 0;
+    crew.run(6, [&](int part) {
+      for (uint64_t i = 0; i < 1'000'000; ++i) sum += i * part;
+    });
+    const double worked = crew.seconds();
+    EXPECT_GT(worked, 0);
+    crew.run(0, [](int) {});
+    EXPECT_LT(crew.seconds() - worked, worked);
+  }
+}
+
 }  // namespace
 }  // namespace burnish
