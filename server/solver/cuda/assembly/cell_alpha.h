@@ -16,13 +16,14 @@ __device__ inline float alpha_at(const AlphaSource& source, double kappa) {
       exp(source.log_alpha[right - 1] * (1 - t) + source.log_alpha[right] * t));
 }
 
-/// Returns null if the cell follows the curve.
-__device__ inline const OwnAlpha* own_alpha_of(const AlphaSource& source, int64_t cell) {
-  int32_t first = 0, end = source.own_count;
+/// Returns the cell's entry in a part of a list that ascends by cell; null if it has none.
+template <typename Entry>
+__device__ inline const Entry* find_entry(const Entry* list, int32_t first, int32_t end,
+                                          int64_t cell) {
   while (first < end) {
     const int32_t middle = (first + end) / 2;
-    if (source.own[middle].cell == cell) return source.own + middle;
-    if (source.own[middle].cell < cell)
+    if (list[middle].cell == cell) return list + middle;
+    if (list[middle].cell < cell)
       first = middle + 1;
     else
       end = middle;
@@ -30,20 +31,16 @@ __device__ inline const OwnAlpha* own_alpha_of(const AlphaSource& source, int64_
   return nullptr;
 }
 
+/// Returns null if the cell follows the curve.
+__device__ inline const OwnAlpha* own_alpha_of(const AlphaSource& source, int64_t cell) {
+  return find_entry(source.own, 0, source.own_count, cell);
+}
+
 /// Returns null if no held line passes the cell.
 __device__ inline const HeldLine* held_line_of(const AlphaSource& source, int64_t cell) {
   if (source.first_line == nullptr) return nullptr;
-  const int64_t stretch = cell / HeldLine::kStretch;
-  int32_t first = source.first_line[stretch], end = source.first_line[stretch + 1];
-  while (first < end) {
-    const int32_t middle = (first + end) / 2;
-    if (source.lines[middle].cell == cell) return source.lines + middle;
-    if (source.lines[middle].cell < cell)
-      first = middle + 1;
-    else
-      end = middle;
-  }
-  return nullptr;
+  const int32_t* const bounds = source.first_line + cell / HeldLine::kStretch;
+  return find_entry(source.lines, bounds[0], bounds[1], cell);
 }
 
 /// Returns α1 and α2 of a cell. Units: user units.
