@@ -178,7 +178,9 @@ Measures Solver::iterate() {
   });
   if (restarts) rate_.restart();
   start_ = kGoesOn;
-  return backend_->measure();
+  Measures measures = backend_->measure();
+  measures.is_first_direction = restarts;
+  return measures;
 }
 
 // Everything that a bad step has touched is set anew, so nothing of it stays.

@@ -181,6 +181,7 @@ class CudaBackend final : public Backend {
     measures.preconditioned_residual = sums.z_dot_r[0] + sums.z_dot_r[1] + sums.z_dot_r[2];
     measures.moved_max = std::sqrt(static_cast<double>(sums.moved_squared_max));
     measures.curvature = *std::ranges::min_element(sums.p_dot_q);
+    measures.direction_energy = sums.p_dot_q[0] + sums.p_dot_q[1] + sums.p_dot_q[2];
     return measures;
   }
 

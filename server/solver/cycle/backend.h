@@ -19,16 +19,26 @@ struct Measures {
   double preconditioned_residual = 0;  ///< rᵀz before the step; z is the V-cycle's correction of r
   double moved_max = 0;  ///< largest |E a p| at a vertex, in cells: how far the step moved it
 
-  double curvature = 0;  ///< the least p·Sp of a column: negative if S is not definite
+  double curvature = 0;             ///< the least p·Sp of a column: negative if S is not definite
+  double direction_energy = 0;      ///< p·Sp of all columns
+  bool is_first_direction = false;  ///< p is z
 
-  /// Returns whether u and r are numbers, as the sums have all of them, and the step went downhill.
-  /// At the end of a solve rounding may say otherwise.
+  /// Returns whether u and r are numbers, as the sums have all of them, and the step went downhill
+  /// by a correction that is one. At the end of a solve rounding may say otherwise.
   bool is_sound() const {
     const bool is_finite = std::isfinite(energy) && std::isfinite(residual) &&
                            std::isfinite(preconditioned_residual) && std::isfinite(moved_max);
-    return is_finite && (curvature >= 0 || residual <= kResidualOfRounding);
+    return is_finite && ((curvature >= 0 && !overshoots()) || residual <= kResidualOfRounding);
   }
   static constexpr double kResidualOfRounding = 1e-9;
+
+ private:
+  // rᵀz is zᵀSz if z solves for r. Where z is mostly error, the step along it is next to none, and
+  // would look as if nothing was left to do.
+  bool overshoots() const {
+    return is_first_direction && direction_energy > kOvershootMax * preconditioned_residual;
+  }
+  static constexpr double kOvershootMax = 1e4;
 };
 
 /// The seam between the algorithms, written once, and the machines that run them. Every call works

@@ -52,7 +52,7 @@ void ConjugateGradients::forget_steps() {
   p_.assign(finest_.corner_count(), Float4::Zero());
   z_dot_r_ = step_ = Double3::Zero();
   totals_ = {};
-  moved_max_ = curvature_ = 0;
+  moved_max_ = curvature_ = direction_energy_ = 0;
 }
 
 // Sums over blocks of all corners, and over all shards. `sum_block` leaves out corners that are not
@@ -139,6 +139,7 @@ void ConjugateGradients::advance() {
   });
   step_ = quotient(sums.second, sums.first);
   curvature_ = sums.first.minCoeff();
+  direction_energy_ = sums.first.sum();
   totals_ =
       sum_over_all<Totals>([&](int32_t begin, int32_t end) { return move_along(begin, end); });
   finest_.refresh(finest_.f);
@@ -171,6 +172,7 @@ Measures ConjugateGradients::measure() const {
   measures.preconditioned_residual = z_dot_r_.sum();
   measures.moved_max = moved_max_;
   measures.curvature = curvature_;
+  measures.direction_energy = direction_energy_;
   return measures;
 }
 

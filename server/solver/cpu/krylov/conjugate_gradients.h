@@ -63,7 +63,7 @@ class ConjugateGradients {
   Double3 step_ = Double3::Zero();  // a of the last advance()
   Totals totals_;                   // after the last advance()
   double moved_max_ = 0;
-  double curvature_ = 0;
+  double curvature_ = 0, direction_energy_ = 0;
 };
 
 }  // namespace burnish::cpu

@@ -1,3 +1,4 @@
+#include "server/solver/cuda/assembly/gather_rows.h"
 #include "server/solver/cuda/assembly/irregular_rows.h"
 #include "server/solver/cuda/products/block_inverse.h"
 #include "server/solver/cuda/products/products.h"
@@ -118,7 +119,7 @@ __global__ void assemble_rows_kernel(Depth depth, const float* numbers, const fl
   const auto lane = static_cast<int>(threadIdx.x % 32);
   const auto all = static_cast<int32_t>(topology.number_count);
   ListedSum own(topology.irregular, row.first_sum + row.count, lane, 32);
-  double sum = 0;
+  double sum = 0, sizes = 0;
   float4 product = zero4();
   for (int p = lane; p < row.count; p += 32) {
     ListedSum listed(topology.irregular, row.first_sum + p, 0, 1);
@@ -130,9 +131,12 @@ __global__ void assemble_rows_kernel(Depth depth, const float* numbers, const fl
       depth.system.rest[place.at] = static_cast<float>(entry - stored);
     if (probe != nullptr) product = product + stored * probe[place.column];
     sum -= entry;
+    sizes += fabs(entry);
   }
   await_previous();
-  const auto diagonal = static_cast<float>(sum_of_warp(sum + own.of(numbers, all)));
+  const double own_sum = own.of(numbers, all);
+  const auto diagonal = static_cast<float>(
+      fmax(sum_of_warp(sum + own_sum), kDiagonalLeast * sum_of_warp(sizes + fabs(own_sum))));
   product = sum_of_warp(product);
   if (lane != 0) return;
   depth.system.diagonal[row.corner] = diagonal;
