@@ -28,6 +28,9 @@ struct SessionRecord {
   int64_t created_unix_seconds = 0;
   Controls controls;        ///< that it was born with: none from before there were controls
   bool is_damaged = false;  ///< when read: no value can be trusted
+  /// The user who made it, "" for nobody with a name. Null if the journal does not say: a program
+  /// from before wrote the row, or this part of it is damaged.
+  std::optional<std::string> maker = {};
 };
 
 /// A session with all that a journal must keep of it.

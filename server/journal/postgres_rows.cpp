@@ -8,6 +8,7 @@
 #include "common/wire/edit_bytes.h"
 #include "server/journal/damaged_edits.h"
 #include "server/journal/row_checksum.h"
+#include "server/journal/session_maker.h"
 
 namespace burnish {
 
@@ -21,11 +22,13 @@ std::vector<PgStatement> make_session_rows(const SessionRecord& record, const Se
                                            const Holding& holding, bool has_shared_scan) {
   std::vector<PgStatement> statements = {
       {"INSERT INTO sessions (id, name, scan_id, depth, curvature_radius, created_unix_seconds,"
-       " pins_rims, checksum, owner, epoch, shared_scan) VALUES ($1, $2, $3, $4, $5, $6, $7, $8,"
-       " CAST(NULLIF($9, '') AS uuid), $10, CASE WHEN $11 = 1 THEN $3 END)",
+       " pins_rims, checksum, owner, epoch, shared_scan, maker, maker_checksum) VALUES ($1, $2, $3,"
+       " $4, $5, $6, $7, $8, CAST(NULLIF($9, '') AS uuid), $10, CASE WHEN $11 = 1 THEN $3 END,"
+       " $12, $13)",
        {record.id, record.name, record.scan_id, int64_t{record.key.depth},
         record.key.curvature_radius, record.created_unix_seconds, int64_t{record.controls.pin_rims},
-        checksum_of(record), PgText{holding.life}, holding.epoch, int64_t{has_shared_scan}}}};
+        checksum_of(record), PgText{holding.life}, holding.epoch, int64_t{has_shared_scan},
+        record.maker.value_or(""), checksum_of_maker(record)}}};
   for (const auto& [user, role] : roles.by_user())
     statements.push_back(put_role_row(record.id, user, role, holding));
   return statements;
@@ -73,6 +76,7 @@ SessionRecord session_of_row(const PgReply& reply, size_t row) {
       reply.bytes(row, 2),   {static_cast<int>(reply.integer(row, 3)), reply.real(row, 4)},
       reply.integer(row, 5), {.pin_rims = reply.integer(row, 6) != 0}};
   record.is_damaged = reply.bytes(row, 7) != checksum_of(record);
+  record.maker = maker_of_row(record.id, reply.bytes(row, 8), reply.bytes(row, 9));
   for (std::string* text : {&record.id, &record.name, &record.scan_id})
     *text = to_valid_utf8(*text);
   return record;
@@ -82,10 +86,10 @@ static Status check_session_row(PgConnection& database, const std::string& sessi
                                 uint64_t& count) {
   ASSIGN_OR_RETURN(const PgReply reply,
                    database.run({"SELECT id, name, scan_id, depth, curvature_radius,"
-                                 " created_unix_seconds, pins_rims, checksum, edits FROM sessions"
-                                 " WHERE id = $1",
+                                 " created_unix_seconds, pins_rims, checksum, maker,"
+                                 " maker_checksum, edits FROM sessions WHERE id = $1",
                                  {session_id}}));
-  count = reply.rows() == 0 ? 0 : static_cast<uint64_t>(reply.integer(0, 8));
+  count = reply.rows() == 0 ? 0 : static_cast<uint64_t>(reply.integer(0, 10));
   if (reply.rows() == 0) return Status::ok();
   static constexpr uint64_t kEditsMax = 100'000'000;
   if (session_of_row(reply, 0).is_damaged || count > kEditsMax)

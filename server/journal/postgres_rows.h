@@ -38,8 +38,8 @@ PgStatement add_edit_row(const std::string& session_id, uint64_t number, const A
 
 /// Returns the session of a row of kSelectSessions.
 inline constexpr char kSelectSessions[] =
-    "SELECT id, name, scan_id, depth, curvature_radius, created_unix_seconds, pins_rims, checksum"
-    " FROM sessions";
+    "SELECT id, name, scan_id, depth, curvature_radius, created_unix_seconds, pins_rims, checksum,"
+    " maker, maker_checksum FROM sessions";
 SessionRecord session_of_row(const PgReply& reply, size_t row);
 
 /// Returns the checksum of a session's row.

@@ -50,6 +50,12 @@ static constexpr std::array kPgSteps = {
     // Who has brought a session into the memory of its owner; null: nobody who is counted.
     R"sql(
   ALTER TABLE sessions ADD COLUMN held_for bytea;
+)sql",
+    // Who made a session. The program before this one leaves both empty, and reads a checksum that
+    // does not know of them.
+    R"sql(
+  ALTER TABLE sessions ADD COLUMN maker bytea NOT NULL DEFAULT '',
+    ADD COLUMN maker_checksum bytea NOT NULL DEFAULT '';
 )sql"};
 
 static Status lock_version(PgConnection& database) {

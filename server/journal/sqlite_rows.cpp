@@ -6,17 +6,20 @@
 #include <spdlog/spdlog.h>
 
 #include "common/base/text.h"
+#include "server/journal/session_maker.h"
 
 namespace burnish {
 
 Status insert_session(Database& database, const SessionRecord& record, const SessionRoles& roles) {
   RETURN_IF_ERROR(run(database,
                       "INSERT INTO sessions (id, name, scan_id, depth, curvature_radius,"
-                      " created_unix_seconds, pins_rims, checksum) VALUES"
-                      " (?1, ?2, ?3, ?4, ?5, ?6, ?7, row_checksum(?1, ?2, ?3, ?4, ?5, ?6, ?7))",
+                      " created_unix_seconds, pins_rims, checksum, maker, maker_checksum) VALUES"
+                      " (?1, ?2, ?3, ?4, ?5, ?6, ?7, row_checksum(?1, ?2, ?3, ?4, ?5, ?6, ?7),"
+                      " ?8, ?9)",
                       record.id, record.name, record.scan_id, int64_t{record.key.depth},
                       record.key.curvature_radius, record.created_unix_seconds,
-                      int64_t{record.controls.pin_rims}));
+                      int64_t{record.controls.pin_rims}, record.maker.value_or(""),
+                      checksum_of_maker(record)));
   for (const auto& [user, role] : roles.by_user())
     RETURN_IF_ERROR(insert_role(database, record.id, user, role));
   return Status::ok();
@@ -42,15 +45,16 @@ Result<std::vector<SessionRecord>> read_sessions(Database& database) {
                        {static_cast<int>(row.integer(3)), row.real(4)},
                        row.integer(5),
                        {.pin_rims = row.integer(6) != 0},
-                       row.integer(7) == 0});
+                       row.integer(7) == 0,
+                       maker_of_row(row.text(0), row.text(8), row.text(9))});
     return Status::ok();
   };
   // Reads without the index of names, which may be damaged too.
   RETURN_IF_ERROR(read_rows(database,
                             "SELECT id, name, scan_id, depth, curvature_radius,"
                             " created_unix_seconds, pins_rims, checksum = row_checksum(id, name,"
-                            " scan_id, depth, curvature_radius, created_unix_seconds, pins_rims)"
-                            " FROM sessions ORDER BY +name",
+                            " scan_id, depth, curvature_radius, created_unix_seconds, pins_rims),"
+                            " maker, maker_checksum FROM sessions ORDER BY +name",
                             take));
   tell_apart(records);
   return records;

@@ -78,7 +78,14 @@ static constexpr std::array kSteps = {
     // Edits may set bands and a palette, and paint them. A program of version 4 would lose these.
     "PRAGMA user_version = 5;",
     // Edits may filter and paint colours.
-    "PRAGMA user_version = 6;"};
+    "PRAGMA user_version = 6;",
+    // Sessions get their maker, with a checksum of its own as in PostgreSQL. Both are x'' where
+    // nobody knows the maker.
+    R"sql(
+  ALTER TABLE sessions ADD COLUMN maker BLOB NOT NULL DEFAULT x'';
+  ALTER TABLE sessions ADD COLUMN maker_checksum BLOB NOT NULL DEFAULT x'';
+  PRAGMA user_version = 7;
+)sql"};
 
 Status make_journal_schema(Database& database) {
   ASSIGN_OR_RETURN(Transaction transaction, Transaction::begin(database));

@@ -14,8 +14,9 @@ SessionManager::~SessionManager() {
   store_.set_wanted(nullptr);
 }
 
-/// The journal does not say who made a session: the first of its owners has it.
-static std::string maker_of(const SessionRoles& roles) {
+/// The first of its owners stands for a maker of whom the journal does not know.
+static std::string maker_of(const SessionRecord& record, const SessionRoles& roles) {
+  if (record.maker) return *record.maker;
   for (const auto& [user, role] : roles.by_user())
     if (!user.empty() && role == SessionRole::kOwner) return user;
   return {};
@@ -27,7 +28,7 @@ Result<std::shared_ptr<SessionEntry>> SessionManager::read_entry(const SessionRe
   ASSIGN_OR_RETURN(entry->edits, journal_.edit_count(record.id));
   ASSIGN_OR_RETURN(entry->roles, journal_.roles(record.id));
   ASSIGN_OR_RETURN(const uint64_t bytes, journal_.history_bytes(record.id));
-  entry->kept = shares_.add(maker_of(entry->roles), bytes);
+  entry->kept = shares_.add(maker_of(record, entry->roles), bytes);
   entry->in_journal = true;
   return entry;
 }

@@ -54,6 +54,7 @@ Result<SessionManager::Held> SessionManager::reserve(SessionRecord record, const
   RETURN_IF_ERROR(check_kept_name("the session's name", record.name));
   if (scans_going_.contains(record.scan_id))
     return not_found("scan " + short_id(record.scan_id) + " is being deleted");
+  record.maker = caller.user;
   auto entry = std::make_shared<SessionEntry>(std::move(record));
   entry->roles = SessionRoles::of_new_session(caller.user);
   entry->kept = shares_.add(caller.user, 0);

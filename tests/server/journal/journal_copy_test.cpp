@@ -42,6 +42,7 @@ class JournalCopyTest : public testing::TestWithParam<JournalKind> {
   JournalCopyTest() {
     SessionRecord record{"id-a", "a", std::string(64, 'a'), {7, 0.5}, 1234};
     record.controls.pin_rims = true;
+    record.maker = "maria";
     EXPECT_TRUE(source_->create_session(record, SessionRoles::of_new_session("ann")).is_ok());
     EXPECT_TRUE(source_->append("id-a", 1, one_of_each_kind()).is_on_disk());
     EXPECT_TRUE(source_->create_session({"id-b", "b", "s", {5, 0}, 1}, {}).is_ok());
@@ -86,6 +87,8 @@ TEST_P(JournalCopyTest, SessionsAndRolesArriveAsTheyWere) {
   ASSERT_EQ(sessions.size(), 2u);
   EXPECT_FALSE(sessions[0].is_damaged);
   EXPECT_TRUE(sessions[0].controls.pin_rims);
+  EXPECT_EQ(sessions[0].maker, "maria");
+  EXPECT_EQ(sessions[1].maker, std::nullopt);
   EXPECT_EQ(sessions[0].key, (PreparedKey{7, 0.5}));
   EXPECT_EQ(sessions[0].created_unix_seconds, 1234);
   EXPECT_EQ(target_->roles("id-a")->of("ann"), SessionRole::kOwner);

@@ -127,6 +127,18 @@ TEST_P(JournalDamageTest, ASessionWhoseRecordIsDamagedIsMarkedAndKeptShut) {
   EXPECT_TRUE(journal_->remove_session("id-a").is_ok());
 }
 
+TEST_P(JournalDamageTest, AMakerThatIsDamagedIsNobodyAndTheSessionGoesOn) {
+  SessionRecord made = record("m");
+  made.maker = "ann";
+  ASSERT_TRUE(journal_->create_session(made, {}).is_ok());
+  damage("UPDATE sessions SET maker = CAST('eve' AS BLOB) WHERE id = CAST('id-m' AS BLOB)");
+  const auto sessions = journal_->sessions().value();
+  ASSERT_EQ(sessions.size(), 2u);
+  EXPECT_EQ(sessions[1].maker, std::nullopt);
+  EXPECT_FALSE(sessions[1].is_damaged);
+  EXPECT_TRUE(journal_->edits("id-m").is_ok());
+}
+
 TEST_P(JournalDamageTest, ARoleThatIsDamagedOrGoneIsTheLeast) {
   damage("UPDATE roles SET \"user\" = CAST('eve' AS BLOB) WHERE \"user\" = CAST('ann' AS BLOB)");
   EXPECT_EQ(journal_->roles("id-a").value().of("eve"), SessionRole::kViewer);

@@ -41,7 +41,10 @@ void write_journal(const std::filesystem::path& path) {
                                       "session-" + std::to_string(session),
                                       std::string(64, 'a'),
                                       {7, 0.5},
-                                      1234},
+                                      1234,
+                                      {},
+                                      false,
+                                      "ann"},
                                      SessionRoles::of_new_session("ann"))
                     .is_ok());
   for (uint64_t number = 1; number <= kFlippedEdits; ++number)
@@ -56,11 +59,11 @@ struct Told {
 };
 
 void read_session(Journal& journal, const SessionRecord& record, Told& told) {
-  told.of_damage |= record.is_damaged;
+  told.of_damage |= record.is_damaged || !record.maker;  // each session in the test has one
   told.values[record.id] = record.name + record.scan_id + std::to_string(record.key.depth) +
                            std::to_string(record.key.curvature_radius) +
                            std::to_string(record.created_unix_seconds) +
-                           std::to_string(record.controls.pin_rims);
+                           std::to_string(record.controls.pin_rims) + record.maker.value_or("");
   const auto edits = journal.edits(record.id);
   const auto roles = journal.roles(record.id);
   told.of_damage |= !edits.is_ok() || !roles.is_ok();

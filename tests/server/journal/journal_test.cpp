@@ -83,6 +83,31 @@ TEST_P(JournalTest, ASessionKeepsTheControlsThatItWasBornWith) {
   EXPECT_FALSE(sessions[1].is_damaged);
 }
 
+TEST_P(JournalTest, ASessionKeepsItsMakerUnderANewNameAndForTheNextProgram) {
+  SessionRecord made = record("b"), by_nobody = record("n");
+  made.maker = "ann";
+  by_nobody.maker = "";
+  ASSERT_TRUE(journal_->create_session(made, SessionRoles::of_new_session("bob")).is_ok());
+  ASSERT_TRUE(journal_->create_session(by_nobody, {}).is_ok());
+  ASSERT_TRUE(journal_->rename_session("id-b", "c").is_ok());
+  start();
+  const auto sessions = journal_->sessions().value();
+  ASSERT_EQ(sessions.size(), 3u);
+  EXPECT_EQ(sessions[0].maker, std::nullopt) << "its record did not say";
+  EXPECT_EQ(sessions[1].maker, "ann");
+  EXPECT_EQ(sessions[2].maker, "");
+}
+
+TEST_P(JournalTest, AForkHasAMakerOfItsOwn) {
+  SessionRecord source = record("b"), fork = record("f");
+  source.maker = "ann";
+  fork.maker = "bob";
+  ASSERT_TRUE(journal_->create_session(source, {}).is_ok());
+  ASSERT_TRUE(journal_->fork_session(source, 0, fork, {}).is_ok());
+  EXPECT_EQ(journal_->sessions().value()[1].maker, "ann");
+  EXPECT_EQ(journal_->sessions().value()[2].maker, "bob");
+}
+
 TEST_P(JournalTest, ABatchWithAKnownIdIsKeptOutWhole) {
   ASSERT_TRUE(journal_->append("id-a", 1, {slider("x")}).is_on_disk());
   EXPECT_EQ(journal_->append("id-a", 2, {slider("y"), slider("x")}).status().code(),

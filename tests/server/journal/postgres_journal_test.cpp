@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "server/journal/postgres_rows.h"
 #include "tests/common/temporary_folder.h"
 #include "tests/server/postgres/postgres_cluster.h"
 
@@ -204,12 +205,42 @@ TEST_F(PostgresJournalTest, ACommitThatDidNotWaitForItsStandbyIsUnknown) {
 
 TEST_F(PostgresJournalTest, AJournalOfTheNextProgramIsTakenAndALaterOneRefused) {
   first_.reset();
-  sql("UPDATE burnish.version SET number = 4");
-  EXPECT_EQ(open()->sessions().value().size(), 1u);
   sql("UPDATE burnish.version SET number = 5");
+  EXPECT_EQ(open()->sessions().value().size(), 1u);
+  sql("UPDATE burnish.version SET number = 6");
   const auto refused = PostgresJournal::open(PgAddress::parse(uri_).value(), folder_ / "p.sqlite");
   EXPECT_EQ(refused.status().code(), StatusCode::kDataLoss);
-  EXPECT_THAT(refused.status().message(), HasSubstr("version is 5"));
+  EXPECT_THAT(refused.status().message(), HasSubstr("version is 6"));
+}
+
+// While a fleet is upgraded, the program before the makers writes rows without them. It reads the
+// row's checksum over the values that it knows.
+TEST_F(PostgresJournalTest, AServerBeforeTheMakersSharesTheTables) {
+  SessionRecord made{"id-b", "b", std::string(64, 'a'), {7, 0.5}, 1234};
+  const std::string sum_without_maker = checksum_of(made);
+  made.maker = "ann";
+  ASSERT_TRUE(first_->create_session(made, {}).is_ok());
+  const PgReply sum =
+      connection().run({"SELECT checksum FROM burnish.sessions WHERE id = $1", {made.id}}).value();
+  EXPECT_EQ(sum.bytes(0, 0), sum_without_maker);
+  sql("INSERT INTO burnish.sessions (id, name, scan_id, depth, curvature_radius,"
+      " created_unix_seconds, pins_rims, checksum) SELECT id || 'x', name || 'x', scan_id, depth,"
+      " curvature_radius, created_unix_seconds, pins_rims, checksum FROM burnish.sessions"
+      " WHERE maker = 'ann'");
+  const auto sessions = open()->sessions().value();
+  ASSERT_EQ(sessions.size(), 3u);
+  EXPECT_EQ(sessions[1].maker, "ann");
+  EXPECT_EQ(sessions[2].maker, std::nullopt);
+}
+
+TEST_F(PostgresJournalTest, OfTheProgramBeforeTheMakersKeepsItsSessions) {
+  first_.reset();
+  sql("ALTER TABLE burnish.sessions DROP COLUMN maker, DROP COLUMN maker_checksum;"
+      " UPDATE burnish.version SET number = 3");
+  const auto sessions = open()->sessions().value();
+  ASSERT_EQ(sessions.size(), 1u);
+  EXPECT_FALSE(sessions[0].is_damaged);
+  EXPECT_EQ(sessions[0].maker, std::nullopt);
 }
 
 TEST_F(PostgresJournalTest, ServersThatStartAtOnceMakeTheTablesOnce) {

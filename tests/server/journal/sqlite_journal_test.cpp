@@ -72,6 +72,7 @@ TEST(SqliteJournal, OfTheFirstVersionOpensWithAllItsEdits) {
     for (const SessionRecord& session : sessions) {
       EXPECT_FALSE(session.is_damaged);
       EXPECT_EQ(session.controls, Controls{}) << "its exports may not change";
+      EXPECT_EQ(session.maker, std::nullopt);
     }
     const auto edits = journal->edits("id-a").value();
     ASSERT_EQ(edits.size(), 2u);
@@ -83,6 +84,34 @@ TEST(SqliteJournal, OfTheFirstVersionOpensWithAllItsEdits) {
     EXPECT_EQ(journal->roles("id-a").value().of("anybody"), SessionRole::kOwner);
     EXPECT_TRUE(journal->append("id-a", 3, {}).is_on_disk());
   }
+}
+
+// Takes a journal back to what the program before the makers wrote.
+constexpr char kBackToVersion6[] = R"sql(
+  ALTER TABLE sessions DROP COLUMN maker;
+  ALTER TABLE sessions DROP COLUMN maker_checksum;
+  PRAGMA user_version = 6;
+)sql";
+
+TEST(SqliteJournal, OfAProgramBeforeTheMakersTakesMakersFromThenOn) {
+  const TemporaryFolder folder;
+  const auto open = [&] { return std::move(SqliteJournal::open(folder / "j.sqlite")).value(); };
+  SessionRecord record{"id-a", "a", std::string(64, 'a'), {7, 0.5}, 1234};
+  ASSERT_TRUE(open()->create_session(record, SessionRoles::of_new_session("ann")).is_ok());
+  {
+    Database database = std::move(Database::open(folder / "j.sqlite")).value();
+    ASSERT_TRUE(database.execute(kBackToVersion6).is_ok());
+  }
+  record.id = "id-b";
+  record.name = "b";
+  record.maker = "bob";
+  ASSERT_TRUE(open()->create_session(record, SessionRoles::of_new_session("bob")).is_ok());
+  const auto sessions = open()->sessions().value();
+  ASSERT_EQ(sessions.size(), 2u);
+  EXPECT_FALSE(sessions[0].is_damaged);
+  EXPECT_EQ(sessions[0].maker, std::nullopt);
+  EXPECT_EQ(open()->roles("id-a").value().of("ann"), SessionRole::kOwner);
+  EXPECT_EQ(sessions[1].maker, "bob");
 }
 
 TEST(SqliteJournal, OfANewerProgramIsRefused) {

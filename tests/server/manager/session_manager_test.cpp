@@ -345,8 +345,24 @@ TEST_F(SessionManagerTest, ASessionStaysItsMakersWhoeverElseGetsToOwnIt) {
   ASSERT_TRUE(manager_->open({"ball", "1", {5, 0}}, mallory, {}).is_ok());
   ASSERT_TRUE(manager_->set_role("1", mallory, "ghost", SessionRole::kOwner).is_ok());
   ASSERT_TRUE(manager_->set_role("1", mallory, "mallory", SessionRole::kViewer).is_ok());
-  EXPECT_EQ(manager_->open({"ball", "2", {5, 0}}, mallory, {}).status().code(),
-            StatusCode::kResourceExhausted);
+  for (int life = 0; life < 2; ++life) {
+    EXPECT_EQ(manager_->open({"ball", "2", {5, 0}}, mallory, {}).status().code(),
+              StatusCode::kResourceExhausted);
+    EXPECT_TRUE(manager_->fork({.source = "1"}, admitted("ghost")).is_ok());
+    ASSERT_TRUE(manager_->remove(manager_->list().back().name, admitted("ghost")).is_ok());
+    start();  // the journal keeps the maker
+  }
+}
+
+TEST_F(SessionManagerTest, ASessionOfAnOlderJournalCountsForItsFirstOwner) {
+  ASSERT_TRUE(open("one").is_ok());
+  const SessionInfo one = manager_->list()[0];
+  const SessionRecord old{"old", "old", one.scan_id, one.key, 0};
+  ASSERT_TRUE(journal_->create_session(old, SessionRoles::of_new_session("ann")).is_ok());
+  options_.kept.sessions_per_user = 1;
+  start();
+  const Status refused = manager_->fork({.source = "one"}, admitted("ann")).status();
+  EXPECT_THAT(refused.message(), HasSubstr("user ann has 1 sessions"));
 }
 
 TEST_F(SessionManagerTest, TheLastPlacesAreForOwnersOfTheServer) {
