@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "common/evaluation/heard_evaluation.h"
+
 namespace burnish {
 
 static constexpr double kTouchDistance = 1e-6;  // cells
@@ -25,10 +27,11 @@ struct FinestCells {
 
 }  // namespace
 
-static std::vector<bool> referenced_vertices(const MeshView& mesh) {
+static std::vector<bool> referenced_vertices(const MeshView& mesh, const LoopPart& part) {
   std::vector<bool> referenced(mesh.vertices.size(), false);
-  for (const Triangle& triangle : mesh.triangles)
-    for (uint32_t v : triangle) referenced[v] = true;
+  for_each_heard(part, mesh.triangles.size(), [&](size_t t) {
+    for (uint32_t v : mesh.triangles[t]) referenced[v] = true;
+  });
   return referenced;
 }
 
@@ -59,14 +62,18 @@ static EvaluationPoint locate(const Vec3d& p, const FinestCells& cells) {
 }
 
 void make_evaluation(const MeshView& mesh, const GridFrame& frame, std::span<const MortonKey> cells,
-                     std::span<EvaluationPoint> points) {
-  const std::vector<bool> referenced = referenced_vertices(mesh);
+                     std::span<EvaluationPoint> points, const LoopPart& part) {
+  const std::vector<bool> referenced = referenced_vertices(mesh, part.of(0, 0.2));
   const FinestCells finest{frame.depth, cells};
-#pragma omp parallel for schedule(static)
-  for (int64_t v = 0; v < static_cast<int64_t>(points.size()); ++v) {
+  parallel_for_heard(part.of(0.2, 1), points.size(), [&](size_t v) {
     points[v] = {};
     if (referenced[v]) points[v] = locate(snap_to_planes(frame.to_grid(mesh.vertices[v])), finest);
-  }
+  });
+}
+
+void make_evaluation(const MeshView& mesh, const GridFrame& frame, std::span<const MortonKey> cells,
+                     std::span<EvaluationPoint> points) {
+  make_evaluation(mesh, frame, cells, points, kUnheardLoop);
 }
 
 std::array<float, kCornersPerCell> trilinear_weights(const std::array<float, 3>& local) {

@@ -4,13 +4,16 @@
 
 namespace burnish {
 
-void find_component_roots(std::span<const Triangle> triangles, std::span<int32_t> roots) {
+void find_component_roots(std::span<const Triangle> triangles, std::span<int32_t> roots,
+                          const LoopPart& part) {
   DisjointSetsIn sets(roots);
-  for (const Triangle& t : triangles) {
-    sets.join(static_cast<int32_t>(t[0]), static_cast<int32_t>(t[1]));
-    sets.join(static_cast<int32_t>(t[1]), static_cast<int32_t>(t[2]));
-  }
-  for (size_t v = 0; v < roots.size(); ++v) roots[v] = sets.root(static_cast<int32_t>(v));
+  for_each_heard(part.of(0, 0.8), triangles.size(), [&](size_t t) {
+    const auto& [a, b, c] = triangles[t];
+    sets.join(static_cast<int32_t>(a), static_cast<int32_t>(b));
+    sets.join(static_cast<int32_t>(b), static_cast<int32_t>(c));
+  });
+  for_each_heard(part.of(0.8, 1), roots.size(),
+                 [&](size_t v) { roots[v] = sets.root(static_cast<int32_t>(v)); });
 }
 
 std::vector<int32_t> component_roots(std::span<const Triangle> triangles, size_t vertices) {

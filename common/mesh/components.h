@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "common/base/heard_loop.h"
 #include "common/base/types.h"
 
 namespace burnish {
@@ -12,7 +13,8 @@ namespace burnish {
 /// edges. Cost: near linear time.
 std::vector<int32_t> component_roots(std::span<const Triangle> triangles, size_t vertices);
 
-/// Puts the same into an array with an entry for each vertex.
-void find_component_roots(std::span<const Triangle> triangles, std::span<int32_t> roots);
+/// Puts the same into an array with an entry for each vertex. Throws: WorkCancelled.
+void find_component_roots(std::span<const Triangle> triangles, std::span<int32_t> roots,
+                          const LoopPart& part = kUnheardLoop);
 
 }  // namespace burnish

@@ -30,8 +30,8 @@ class FilesBeside {
   virtual std::optional<std::string> locate(const std::string& path) const = 0;
 };
 
-/// Is asked before each picture is decoded, one at a time, with the bytes that its decoder takes
-/// beside the file. A failure ends the reading.
+/// Is asked before each picture is decoded, with the bytes that its decoder takes beside the file,
+/// and often while it is decoded, for 0 bytes. One at a time. A failure ends the reading.
 using PictureBudget = std::function<Status(uint64_t bytes)>;
 
 /// The files beside a mesh file, and its own path among them.

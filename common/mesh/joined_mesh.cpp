@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <functional>
 #include <tuple>
 
 namespace burnish {
@@ -26,6 +27,7 @@ uint32_t hash_of(const Vec3d& position) {
 
 /// Vertices of a bucket. Its bounds then fit into a core's cache.
 constexpr size_t kVerticesPerBucket = 16;
+constexpr size_t kLargeBucket = 1 << 14;  // sorting it takes about a millisecond
 
 /// Vertices with their hashes above them, by buckets of hashes.
 struct Buckets {
@@ -39,27 +41,31 @@ struct Buckets {
 };
 
 // Counts a bucket two places further up, so that filling moves each start to its own place.
-Buckets make_buckets(std::span<const Vec3d> vertices, const ScratchSpace& space) {
+Buckets make_buckets(std::span<const Vec3d> vertices, const ScratchSpace& space,
+                     const LoopPart& part) {
   const size_t count = vertices.size() / kVerticesPerBucket + 1;
   Buckets buckets = {ScratchArray<uint64_t>(space, count + 2),
                      ScratchArray<uint64_t>(space, vertices.size())};
   const auto bucket_of = [&](uint64_t hash) { return hash * count >> 32; };
-  for (const Vec3d& vertex : vertices) ++buckets.start[bucket_of(hash_of(vertex)) + 2];
+  for_each_heard(part.of(0, 0.4), vertices.size(),
+                 [&](size_t v) { ++buckets.start[bucket_of(hash_of(vertices[v])) + 2]; });
   for (size_t i = 2; i < buckets.start.size(); ++i) buckets.start[i] += buckets.start[i - 1];
-  for (size_t v = 0; v < vertices.size(); ++v) {
+  for_each_heard(part.of(0.4, 1), vertices.size(), [&](size_t v) {
     const uint64_t hash = hash_of(vertices[v]);
     buckets.item[buckets.start[bucket_of(hash) + 1]++] = hash << 32 | v;
-  }
+  });
   return buckets;
 }
 
 /// Enters the least of vertices of one hash at each place. Sorts, because they may be all vertices.
+template <typename Sort>
 void find_least(std::span<const Vec3d> vertices, std::span<uint64_t> same_hash,
-                ScratchArray<uint32_t>& least) {
+                ScratchArray<uint32_t>& least, const Sort& sort) {
   const auto vertex = [](uint64_t hashed) { return static_cast<uint32_t>(hashed); };
   const auto bits = [&](uint64_t hashed) { return bits_of(vertices[vertex(hashed)]); };
   const auto key = [&](uint64_t hashed) { return std::tuple(bits(hashed), vertex(hashed)); };
-  if (same_hash.size() > 1) std::ranges::sort(same_hash, {}, key);
+  if (same_hash.size() > 1)
+    sort(same_hash, [&](uint64_t a, uint64_t b) { return key(a) < key(b); });
   for (size_t i = 0; i < same_hash.size(); ++i) {
     const uint32_t v = vertex(same_hash[i]);
     const bool is_same = i > 0 && vertices[v] == vertices[vertex(same_hash[i - 1])];
@@ -67,13 +73,14 @@ void find_least(std::span<const Vec3d> vertices, std::span<uint64_t> same_hash,
   }
 }
 
+template <typename Sort>
 void find_least_in_bucket(std::span<const Vec3d> vertices, std::span<uint64_t> bucket,
-                          ScratchArray<uint32_t>& least) {
-  std::ranges::sort(bucket);
+                          ScratchArray<uint32_t>& least, const Sort& sort) {
+  sort(bucket, std::less<>());
   for (size_t i = 0; i < bucket.size();) {
     size_t end = i + 1;
     while (end < bucket.size() && bucket[end] >> 32 == bucket[i] >> 32) ++end;
-    find_least(vertices, bucket.subspan(i, end - i), least);
+    find_least(vertices, bucket.subspan(i, end - i), least, sort);
     i = end;
   }
 }
@@ -86,21 +93,37 @@ bool have_joins(const ScratchArray<uint32_t>& least) {
 
 }  // namespace
 
-ScratchArray<uint32_t> least_at_places(std::span<const Vec3d> vertices, const ScratchSpace& space) {
-  Buckets buckets = make_buckets(vertices, space);
+// A file may have all its vertices at one place. The calling thread sorts such a bucket, because it
+// alone hears a cancel.
+ScratchArray<uint32_t> least_at_places(std::span<const Vec3d> vertices, const ScratchSpace& space,
+                                       const LoopPart& part) {
+  Buckets buckets = make_buckets(vertices, space, part.of(0, 0.4));
   ScratchArray<uint32_t> least(space, vertices.size());
-#pragma omp parallel for schedule(dynamic, 256)
-  for (size_t b = 0; b < buckets.count(); ++b) find_least_in_bucket(vertices, buckets[b], least);
+  const auto is_large = [&](size_t b) { return buckets[b].size() > kLargeBucket; };
+  parallel_for_heard(part.of(0.4, 0.9), buckets.count(), [&](size_t b) {
+    const auto sort = [](std::span<uint64_t> some, const auto& less) {
+      std::sort(some.begin(), some.end(), less);
+    };
+    if (!is_large(b)) find_least_in_bucket(vertices, buckets[b], least, sort);
+  });
+  const LoopPart rest = part.of(0.9, 1);
+  for (size_t b = 0; b < buckets.count(); ++b) {
+    const auto sort = [&](std::span<uint64_t> many, const auto& less) {
+      sort_heard(rest, many.begin(), many.end(), less);
+    };
+    if (is_large(b)) find_least_in_bucket(vertices, buckets[b], least, sort);
+  }
   return least;
 }
 
-JoinedMesh::JoinedMesh(const MeshView& mesh, const ScratchSpace& space) : view_(mesh) {
-  const ScratchArray<uint32_t> least = least_at_places(mesh.vertices, space);
+JoinedMesh::JoinedMesh(const MeshView& mesh, const ScratchSpace& space, const LoopPart& part)
+    : view_(mesh) {
+  const ScratchArray<uint32_t> least = least_at_places(mesh.vertices, space, part.of(0, 0.9));
   if (!have_joins(least)) return;
   triangles_ = ScratchArray<Triangle>(space, mesh.triangles.size());
-#pragma omp parallel for schedule(static)
-  for (size_t t = 0; t < triangles_.size(); ++t)
+  parallel_for_heard(part.of(0.9, 1), triangles_.size(), [&](size_t t) {
     for (int side = 0; side < 3; ++side) triangles_[t][side] = least[mesh.triangles[t][side]];
+  });
   view_.triangles = {triangles_.data(), triangles_.size()};
 }
 

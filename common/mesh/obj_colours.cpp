@@ -41,7 +41,8 @@ class ObjPainter {
       return budget ? budget(size.decoding_bytes) : Status::ok();
     };
     const auto take = [&](const PixelRun& run) { samples.take(run); };
-    RETURN_IF_ERROR(read_picture_rows(file, name, {begin, take}));
+    const auto goes_on = [&] { return !budget || budget(0).is_ok(); };
+    RETURN_IF_ERROR(read_picture_rows(file, name, {begin, take, goes_on}));
     for (size_t i = 0; i < vertices.size(); ++i) {
       colours_[vertices[i]] = mixed_colour(samples.pixels(i), place_of(vertices[i], size));
       colours_[vertices[i]][3] = 255;  // the surface is drawn as solid, whatever a material says

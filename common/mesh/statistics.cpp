@@ -1,12 +1,15 @@
 #include "common/mesh/statistics.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <vector>
 
 #include "common/base/scratch_array.h"
 #include "common/mesh/components.h"
+#include "common/mesh/heard_statistics.h"
 #include "common/mesh/joined_mesh.h"
 
 namespace burnish {
@@ -22,37 +25,57 @@ void for_each_edge(const Triangle& triangle, const Visit& visit) {
   if (c != a && a != b && b != c) visit(c, a);
 }
 
+constexpr size_t kLargeGroup = 1 << 14;  // sorting it takes about a millisecond
+
 /// The edges of all triangles: upper ends, grouped by lower end and sorted in each group.
 struct EdgeEnds {
   ScratchArray<uint64_t> first;  ///< per lower end, and one past the last
   ScratchArray<uint32_t> upper;
 };
 
-EdgeEnds collect_edges(const MeshView& mesh, const ScratchSpace& space) {
+// A fan has all its edges in one group. The calling thread sorts it, because it alone hears a
+// cancel.
+void sort_groups(EdgeEnds& edges, const LoopPart& part) {
+  const auto group = [&](size_t v) {
+    return std::span(edges.upper.begin() + edges.first[v],
+                     edges.upper.begin() + edges.first[v + 1]);
+  };
+  const size_t groups = edges.first.size() - 1;
+  parallel_for_heard(part.of(0, 0.9), groups, [&](size_t v) {
+    if (group(v).size() <= kLargeGroup) std::ranges::sort(group(v));
+  });
+  for (size_t v = 0; v < groups; ++v)
+    if (group(v).size() > kLargeGroup)
+      sort_heard(part.of(0.9, 1), group(v).begin(), group(v).end(), std::less<>());
+}
+
+EdgeEnds collect_edges(const MeshView& mesh, const ScratchSpace& space, const LoopPart& part) {
   EdgeEnds edges;
   edges.first = ScratchArray<uint64_t>(space, mesh.vertices.size() + 1);
-  for (const Triangle& triangle : mesh.triangles)
-    for_each_edge(triangle, [&](uint32_t a, uint32_t b) { ++edges.first[std::min(a, b)]; });
+  for_each_heard(part.of(0, 0.2), mesh.triangles.size(), [&](size_t t) {
+    for_each_edge(mesh.triangles[t],
+                  [&](uint32_t a, uint32_t b) { ++edges.first[std::min(a, b)]; });
+  });
   std::exclusive_scan(edges.first.begin(), edges.first.end(), edges.first.begin(), uint64_t{0});
   edges.upper = ScratchArray<uint32_t>(space, edges.first.back());
-  for (const Triangle& triangle : mesh.triangles)
-    for_each_edge(triangle, [&](uint32_t a, uint32_t b) {
+  for_each_heard(part.of(0.2, 0.5), mesh.triangles.size(), [&](size_t t) {
+    for_each_edge(mesh.triangles[t], [&](uint32_t a, uint32_t b) {
       edges.upper[edges.first[std::min(a, b)]++] = std::max(a, b);
     });
+  });
   // Each entry is now at its group's end, where the next group starts.
   std::rotate(edges.first.begin(), edges.first.end() - 1, edges.first.end());
   edges.first[0] = 0;
-#pragma omp parallel for schedule(dynamic, 4096)
-  for (size_t v = 0; v < mesh.vertices.size(); ++v)
-    std::sort(edges.upper.begin() + edges.first[v], edges.upper.begin() + edges.first[v + 1]);
+  sort_groups(edges, part.of(0.5, 1));
   return edges;
 }
 
-void count_edges(const MeshView& mesh, const ScratchSpace& space, MeshStatistics& statistics) {
-  const EdgeEnds edges = collect_edges(mesh, space);
+void count_edges(const MeshView& mesh, const ScratchSpace& space, const LoopPart& part,
+                 MeshStatistics& statistics) {
+  const EdgeEnds edges = collect_edges(mesh, space, part.of(0, 0.7));
   uint64_t count = 0;
   double length = 0;
-  for (size_t lower = 0; lower < mesh.vertices.size(); ++lower)
+  for_each_heard(part.of(0.7, 1), mesh.vertices.size(), [&](size_t lower) {
     for (uint64_t i = edges.first[lower]; i < edges.first[lower + 1];) {
       const uint32_t upper = edges.upper[i];
       uint64_t triangles = 0;
@@ -62,64 +85,78 @@ void count_edges(const MeshView& mesh, const ScratchSpace& space, MeshStatistics
       statistics.boundary_edges += triangles == 1;
       statistics.non_manifold_edges += triangles >= 3;
     }
+  });
   if (count > 0) statistics.mean_edge_length = length / static_cast<double>(count);
 }
 
-std::vector<bool> referenced_vertices(const MeshView& mesh) {
+std::vector<bool> referenced_vertices(const MeshView& mesh, const LoopPart& part) {
   std::vector<bool> referenced(mesh.vertices.size(), false);
-  for (const Triangle& triangle : mesh.triangles)
-    for (uint32_t v : triangle) referenced[v] = true;
+  for_each_heard(part, mesh.triangles.size(), [&](size_t t) {
+    for (uint32_t v : mesh.triangles[t]) referenced[v] = true;
+  });
   return referenced;
 }
 
 /// A component of the joined mesh is counted at its root, which is the least vertex of its places.
 void count_vertices(const MeshView& mesh, const MeshView& joined, const ScratchSpace& space,
-                    MeshStatistics& statistics) {
+                    const LoopPart& part, MeshStatistics& statistics) {
   ScratchArray<int32_t> roots(space, mesh.vertices.size());
-  find_component_roots(joined.triangles, roots);
-  const std::vector<bool> referenced = referenced_vertices(mesh);
-  const std::vector<bool> is_corner = referenced_vertices(joined);
+  find_component_roots(joined.triangles, roots, part.of(0, 0.6));
+  const std::vector<bool> referenced = referenced_vertices(mesh, part.of(0.6, 0.7));
+  const std::vector<bool> is_corner = referenced_vertices(joined, part.of(0.7, 0.8));
   statistics.box_min.setConstant(std::numeric_limits<double>::infinity());
   statistics.box_max.setConstant(-std::numeric_limits<double>::infinity());
-  for (uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+  for_each_heard(part.of(0.8, 1), mesh.vertices.size(), [&](size_t v) {
     statistics.components += is_corner[v] && roots[v] == static_cast<int32_t>(v);
     if (!referenced[v]) {
       ++statistics.unreferenced_vertices;
-      continue;
+      return;
     }
     statistics.box_min = statistics.box_min.cwiseMin(mesh.vertices[v]);
     statistics.box_max = statistics.box_max.cwiseMax(mesh.vertices[v]);
-  }
+  });
 }
 
 /// Sums the volume around the centre of the box: coordinates of surveys, far from the origin, would
 /// cancel. Needs: the box.
-void measure_triangles(const MeshView& mesh, MeshStatistics& statistics) {
+void measure_triangles(const MeshView& mesh, const LoopPart& part, MeshStatistics& statistics) {
   const Vec3d centre = statistics.box_min / 2 + statistics.box_max / 2;
-  for (const Triangle& triangle : mesh.triangles) {
+  for_each_heard(part, mesh.triangles.size(), [&](size_t t) {
+    const Triangle& triangle = mesh.triangles[t];
     const Vec3d& a = mesh.vertices[triangle[0]];
     const Vec3d twice_area = (mesh.vertices[triangle[1]] - a).cross(mesh.vertices[triangle[2]] - a);
     statistics.zero_area_triangles += twice_area.isZero(0);
     statistics.area += twice_area.norm() / 2;
     statistics.signed_volume += (a - centre).dot(twice_area) / 6;
-  }
+  });
 }
 
 }  // namespace
 
 MeshStatistics compute_statistics(const MeshView& mesh, const MeshView& joined,
-                                  const ScratchSpace& space) {
+                                  const ScratchSpace& space, const LoopPart& part) {
   MeshStatistics statistics;
   statistics.vertices = mesh.vertices.size();
   statistics.triangles = mesh.triangles.size();
-  count_edges(joined, space, statistics);
-  count_vertices(mesh, joined, space, statistics);
-  measure_triangles(mesh, statistics);
+  count_edges(joined, space, part.of(0, 0.6), statistics);
+  count_vertices(mesh, joined, space, part.of(0.6, 0.9), statistics);
+  measure_triangles(mesh, part.of(0.9, 1), statistics);
   return statistics;
 }
 
+MeshStatistics compute_statistics(const MeshView& mesh, const MeshView& joined,
+                                  const ScratchSpace& space) {
+  return compute_statistics(mesh, joined, space, kUnheardLoop);
+}
+
 MeshStatistics compute_statistics(const MeshView& mesh, const ScratchSpace& space) {
-  return compute_statistics(mesh, JoinedMesh(mesh, space).view(), space);
+  return compute_statistics(mesh, space, kUnheardLoop);
+}
+
+MeshStatistics compute_statistics(const MeshView& mesh, const ScratchSpace& space,
+                                  const LoopPart& part) {
+  const JoinedMesh joined(mesh, space, part.of(0, 0.4));
+  return compute_statistics(mesh, joined.view(), space, part.of(0.4, 1));
 }
 
 }  // namespace burnish

@@ -23,6 +23,8 @@ struct JpegDecoding {
   std::jmp_buf failed;
   char message[JMSG_LENGTH_MAX] = "";
   bool is_cut = false;
+  const PictureTaker* taker = nullptr;
+  bool is_cancelled = false;
 };
 
 JpegDecoding& decoding_of(j_common_ptr jpeg) {
@@ -39,8 +41,15 @@ void take_warning(j_common_ptr jpeg, int) {
   if (jpeg->err->msg_code == JWRN_JPEG_EOF) decoding_of(jpeg).is_cut = true;
 }
 
+bool goes_on(JpegDecoding& decoding) {
+  decoding.is_cancelled = decoding.taker->goes_on && !decoding.taker->goes_on();
+  return !decoding.is_cancelled;
+}
+
+/// libjpeg calls this between two rows of blocks.
 void check_scans(j_common_ptr jpeg) {
   JpegDecoding& decoding = decoding_of(jpeg);
+  if (!goes_on(decoding)) std::longjmp(decoding.failed, 1);
   if (decoding.jpeg.input_scan_number <= kScansMax) return;
   std::snprintf(decoding.message, sizeof decoding.message,
                 "picture with more than %d scans, which is the limit", kScansMax);
@@ -100,7 +109,8 @@ class JpegCleaner {
   jpeg_decompress_struct& jpeg_;
 };
 
-void prepare_decoding(JpegDecoding& decoding) {
+void prepare_decoding(JpegDecoding& decoding, const PictureTaker& taker) {
+  decoding.taker = &taker;
   decoding.jpeg.err = jpeg_std_error(&decoding.errors);
   decoding.errors.error_exit = leave;
   decoding.errors.emit_message = take_warning;
@@ -109,6 +119,7 @@ void prepare_decoding(JpegDecoding& decoding) {
 }
 
 Status jpeg_failure(const JpegDecoding& decoding) {
+  if (decoding.is_cancelled) return cancelled("decoding was cancelled");
   return invalid_argument(std::string("libjpeg: ") + decoding.message);
 }
 
@@ -116,7 +127,7 @@ Status jpeg_failure(const JpegDecoding& decoding) {
 
 Status read_jpeg_rows(std::span<const uint8_t> bytes, const PictureTaker& taker) {
   JpegDecoding decoding;
-  prepare_decoding(decoding);
+  prepare_decoding(decoding, taker);
   const JpegCleaner cleaner(decoding.jpeg);
   if (!read_header(decoding, bytes)) return jpeg_failure(decoding);
   auto& jpeg = decoding.jpeg;

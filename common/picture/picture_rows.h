@@ -31,12 +31,15 @@ struct PictureTaker {
   std::function<Status(const PictureSize&)> begin;
   /// Gets each pixel once. The rows of an interlaced PNG come in several passes.
   std::function<void(const PixelRun&)> take;
+  /// Is asked for each row, and between the parts of a JPEG of several scans. Returns false to end
+  /// the reading. Null: it goes on.
+  std::function<bool()> goes_on = {};
 };
 
 /// Decodes a PNG or JPEG file row by row, so that a picture takes no memory for its pixels. A JPEG
 /// of several scans takes memory for its coefficients. `name` is for messages. Fails: unimplemented
 /// (another kind of picture); invalid_argument that names the value and the limit (too large,
-/// damaged, cut off); resource_exhausted; as begin() does, with the name and the size.
+/// damaged, cut off); resource_exhausted; cancelled; as begin() does, with the name and the size.
 Status read_picture_rows(std::span<const uint8_t> bytes, const std::string& name,
                          const PictureTaker& taker);
 

@@ -22,6 +22,7 @@ struct PngDecoding {
   png_structp png = nullptr;
   png_infop info = nullptr;
   std::string message;
+  bool is_cancelled = false;
   std::vector<Rgba8> row;
 };
 
@@ -67,6 +68,7 @@ bool read_row(PngDecoding& decoding) {
 }
 
 Status png_failure(const PngDecoding& decoding) {
+  if (decoding.is_cancelled) return cancelled("decoding was cancelled");
   return invalid_argument("libpng: " + decoding.message);
 }
 
@@ -90,7 +92,8 @@ bool read_pass(PngDecoding& decoding, const Pass& pass, const PictureSize& size,
   if (pass.first >= size.width) return true;
   const size_t columns = (size.width - pass.first + pass.step - 1) / pass.step;
   for (uint32_t y = pass.first_row; y < size.height; y += pass.row_step) {
-    if (!read_row(decoding)) return false;
+    decoding.is_cancelled = taker.goes_on && !taker.goes_on();
+    if (decoding.is_cancelled || !read_row(decoding)) return false;
     taker.take({y, pass.first, pass.step, std::span(decoding.row).first(columns)});
   }
   return true;

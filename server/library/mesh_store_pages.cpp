@@ -2,7 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
-#include "common/mesh/statistics.h"
+#include "common/mesh/heard_statistics.h"
 #include "server/library/mesh_store.h"
 #include "server/library/read_original.h"
 #include "server/library/scan_record.h"
@@ -71,6 +71,13 @@ Result<Page> MeshStore::read_page(const ScanPages& pages, PageId page) {
   return read;
 }
 
+static Result<MeshStatistics> statistics_of(const MeshView& mesh, const ScratchSpace& space,
+                                            const Progress& progress) try {
+  return compute_statistics(mesh, space, {progress, "reading"});
+} catch (const WorkCancelled&) {
+  return cancelled("making pages was cancelled");
+}
+
 Status MeshStore::make_pages(const std::string& id, const Progress& progress) {
   const fs::path folder = scan_folder(id);
   ASSIGN_OR_RETURN(const ScanInfo scan, read_scan_folder(folder));
@@ -80,7 +87,8 @@ Status MeshStore::make_pages(const std::string& id, const Progress& progress) {
   RETURN_IF_ERROR(budget.ask_to_read(folder / original_file_name(scan.format), scan.format));
   ASSIGN_OR_RETURN(const auto mesh, read_original(folder / original_file_name(scan.format),
                                                   scan.format, scan.name, budget, progress));
-  const MeshStatistics statistics = compute_statistics(mesh->view(), budget.space());
+  ASSIGN_OR_RETURN(const MeshStatistics statistics,
+                   statistics_of(mesh->view(), budget.space(), progress));
   return build_pages({mesh->vertices, mesh->triangles, mesh->colours, statistics}, pages_path(id),
                      {options_.threads, &budget, budget.space()}, progress);
 }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "common/base/loop_progress.h"
 #include "common/base/mapped_file.h"
 #include "common/base/progress.h"
 #include "common/mesh/mesh_io.h"
@@ -20,9 +21,10 @@ inline Result<std::shared_ptr<const StoredMesh>> read_original(const std::filesy
                                                                LibraryBudget& budget,
                                                                const Progress& progress) {
   ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(path));
+  LoopProgress rows(progress, "reading", 0, 0);
   const PictureBudget pictures = [&](uint64_t bytes) -> Status {
-    if (!report(progress, "reading", 0)) return cancelled("reading the file was cancelled");
-    return budget.ask_for_picture(bytes);
+    if (!rows.goes_on(0)) return cancelled("reading the file was cancelled");
+    return bytes == 0 ? Status::ok() : budget.ask_for_picture(bytes);
   };
   ASSIGN_OR_RETURN(StoredMesh mesh,
                    read_stored_mesh(file.bytes(), format, name, budget.space(), pictures));

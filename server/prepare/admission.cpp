@@ -41,11 +41,11 @@ Result<PieceCount> Admission::count_pieces(const GridMesh& mesh, const Progress&
 }
 
 ScratchArray<Vec3d> snapped_positions(const MeshView& mesh, const GridFrame& frame,
-                                      const ScratchSpace& space) {
+                                      const ScratchSpace& space, const Progress& progress) {
   ScratchArray<Vec3d> positions(space, mesh.vertices.size());
-#pragma omp parallel for schedule(static)
-  for (int64_t v = 0; v < static_cast<int64_t>(positions.size()); ++v)
+  parallel_for_heard({progress, "grid", 0, 0}, positions.size(), [&](size_t v) {
     positions[v] = snap_to_planes(frame.to_grid(mesh.vertices[v]));
+  });
   return positions;
 }
 
@@ -53,7 +53,7 @@ ScratchArray<Vec3d> snapped_positions(const MeshView& mesh, const GridFrame& fra
 static Status ask_for_depth(const ScanToPrepare& scan, int depth, PreparationBudget& budget,
                             const Progress& progress) {
   Admission admission{budget, scan.space().memory_bytes_max(), scan.counts(depth)};
-  const auto positions = snapped_positions(scan.mesh, scan.frame(depth), scan.space());
+  const auto positions = snapped_positions(scan.mesh, scan.frame(depth), scan.space(), progress);
   const GridMesh mesh = {scan.surface().triangles, positions, depth};
   ASSIGN_OR_RETURN(const PieceCount count, admission.count_pieces(mesh, progress));
   ASSIGN_OR_RETURN(const auto pieces, find_cell_pieces(mesh, count, scan.room(), progress));

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "common/mesh/heard_statistics.h"
 #include "common/mesh/joined_mesh.h"
-#include "common/mesh/statistics.h"
 #include "server/prepare/cell_pieces.h"
 #include "server/prepare/piece_count.h"
 #include "server/prepare/preparation_need.h"
@@ -14,11 +14,14 @@ PreparationCounts counts_of(const MeshView& mesh, const PrepareOptions& options)
 
 /// The part of the scan that does not depend on the depth.
 struct ScanToPrepare {
-  ScanToPrepare(const MeshView& mesh_of_scan, const PrepareOptions& options_of_scan)
+  /// Throws: WorkCancelled.
+  ScanToPrepare(const MeshView& mesh_of_scan, const PrepareOptions& options_of_scan,
+                const Progress& progress)
       : mesh(mesh_of_scan),
         options(options_of_scan),
-        joined(mesh, options.space),
-        statistics(compute_statistics(mesh, surface(), options.space)) {}
+        joined(mesh, options.space, {progress, "statistics", 0, 0.4}),
+        statistics(
+            compute_statistics(mesh, surface(), options.space, {progress, "statistics", 0.4, 1})) {}
 
   const MeshView& mesh;
   const PrepareOptions& options;
@@ -53,9 +56,10 @@ struct Admission {
   Result<PieceCount> count_pieces(const GridMesh& mesh, const Progress& progress);
 };
 
-/// Returns the positions in grid units. A vertex near a grid plane lies on it.
+/// Returns the positions in grid units. A vertex near a grid plane lies on it. Throws:
+/// WorkCancelled.
 ScratchArray<Vec3d> snapped_positions(const MeshView& mesh, const GridFrame& frame,
-                                      const ScratchSpace& space);
+                                      const ScratchSpace& space, const Progress& progress);
 
 /// Says why nothing was prepared at this depth, and which depth would fit.
 Status refusal(const ScanToPrepare& scan, const Admission& admission, const Status& reason,

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <vector>
 
+#include "common/base/heard_loop.h"
 #include "common/base/parallel.h"
 #include "server/prepare/cut_triangles.h"
 #include "server/prepare/radix_sort.h"
@@ -13,6 +14,7 @@ namespace burnish {
 namespace {
 
 constexpr size_t kPiecesPerWrite = 4096;  // 64 KiB
+constexpr double kDealtPart = 0.7;  // of the phase "grid", when the pieces are in their bricks
 
 /// The bricks while pieces are dealt to them, in any order.
 struct Dealing {
@@ -47,7 +49,10 @@ class PieceDealer {
   std::vector<CellPiece> waiting_;
 };
 
-void deal_pieces(const GridMesh& mesh, Dealing& dealing) {
+void deal_pieces(const GridMesh& mesh, Dealing& dealing, const Progress& progress) {
+  LoopProgress loop(progress, "grid", kCountedPart, kDealtPart);
+  std::atomic<size_t> done{0};  // blocks
+  const auto blocks = static_cast<double>(block_count(mesh));
   ParallelFailure failure;
 #pragma omp parallel for schedule(dynamic)
   for (size_t block = 0; block < block_count(mesh); ++block)
@@ -58,11 +63,13 @@ void deal_pieces(const GridMesh& mesh, Dealing& dealing) {
                                     [&](const Vec3i& cell, Passages passages) {
                                       dealer.add({morton_key(cell), triangle.index, passages});
                                     });
-        return true;
+        return loop.goes_on(static_cast<double>(done) / blocks);
       });
       dealer.flush();
+      ++done;
     });
   failure.rethrow();
+  leave_if_cancelled(loop);
 }
 
 // Threads have dealt the pieces of a cell in any order.
@@ -93,11 +100,12 @@ Result<ScratchArray<CellPiece>> find_cell_pieces(const GridMesh& mesh, const Pie
   const Bricks bricks = make_bricks(count, room.pieces_per_brick);
   ScratchArray<CellPiece> pieces(room.space, count.total());
   Dealing dealing{bricks, count.shift, bricks.start, {pieces.data(), pieces.size()}};
-  deal_pieces(mesh, dealing);
+  deal_pieces(mesh, dealing, progress);
   ScratchArray<CellPiece> spare(room.space, largest_brick(bricks));
   for (size_t brick = 0; brick < bricks.count(); ++brick) {
     if (!report(progress, "grid",
-                0.7 + 0.3 * static_cast<double>(brick) / static_cast<double>(bricks.count())))
+                kDealtPart + (1 - kDealtPart) * static_cast<double>(brick) /
+                                 static_cast<double>(bricks.count())))
       return cancelled("cancelled while cutting at the grid");
     const uint64_t begin = bricks.start[brick], size = bricks.start[brick + 1] - begin;
     const std::span<CellPiece> of_brick(pieces.data() + begin, size);

@@ -24,11 +24,13 @@ static TangentTensor mean_over_corners(const VertexCurvature& vertices, const Tr
 }
 
 MeshCurvature::MeshCurvature(const MeshView& mesh, const MeshStatistics& statistics,
-                             double averaging_radius, const ScratchSpace& space)
+                             double averaging_radius, const ScratchSpace& space,
+                             const LoopPart& part)
     : mesh_(mesh), unit_(length_unit(statistics)) {
-  vertices_ = compute_vertex_curvature(mesh, unit_, space);
+  vertices_ = compute_vertex_curvature(mesh, unit_, space, part.of(0, 0.5));
   if (averaging_radius > 0)
-    vertices_.tensors = average_tensors(mesh, statistics, vertices_, averaging_radius, space);
+    vertices_.tensors =
+        average_tensors(mesh, statistics, vertices_, averaging_radius, space, part.of(0.5, 1));
   vertices_.areas = {};
   const bool is_inside_out = statistics.is_closed() && statistics.signed_volume < 0;
   to_file_units_ = (is_inside_out ? -1 : 1) / unit_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/base/heard_loop.h"
 #include "common/mesh/statistics.h"
 #include "common/mesh/triangle_mesh.h"
 #include "server/prepare/vertex_curvature.h"
@@ -24,9 +25,9 @@ class MeshCurvature {
  public:
   /// `averaging_radius` in file units steadies noisy scans; 0 for none. Needs: a valid mesh that
   /// outlives this, and its statistics. Cost: linear, with or without a radius; 36 bytes per
-  /// triangle of scratch, and 64 per vertex to keep, both in `space`.
+  /// triangle of scratch, and 64 per vertex to keep, both in `space`. Throws: WorkCancelled.
   MeshCurvature(const MeshView& mesh, const MeshStatistics& statistics, double averaging_radius,
-                const ScratchSpace& space);
+                const ScratchSpace& space, const LoopPart& part = kUnheardLoop);
 
   /// Threads may ask at the same time.
   TriangleCurvature of(uint32_t triangle) const;

@@ -1,6 +1,7 @@
 #include "server/prepare/curvature_average.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "common/grid/morton.h"
@@ -28,10 +29,10 @@ bool operator<(const Sample& sample, MortonKey bucket) {
 class Buckets {
  public:
   Buckets(const MeshView& mesh, const MeshStatistics& statistics, const VertexCurvature& vertices,
-          double radius, const ScratchSpace& space)
+          double radius, const ScratchSpace& space, const LoopPart& part)
       : origin_(statistics.box_min),
         width_(std::max(radius, statistics.diagonal() / kBucketsPerSideMax)) {
-    const Order order = sort_vertices(mesh, vertices, space);
+    const Order order = sort_vertices(mesh, vertices, space, part);
     size_t samples = 0;
     for_each_sample(order, [&](size_t, size_t) { ++samples; });
     samples_ = ScratchArray<Sample>(space, samples);
@@ -59,16 +60,17 @@ class Buckets {
   using Order = ScratchArray<std::pair<MortonKey, uint32_t>>;  // by eighths of buckets
 
   Order sort_vertices(const MeshView& mesh, const VertexCurvature& vertices,
-                      const ScratchSpace& space) const {
+                      const ScratchSpace& space, const LoopPart& part) const {
     Order order(space, mesh.vertices.size());
     const double fine_width = width_ / (1 << kSplitsOfBucket);
     size_t count = 0;
-    for (uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+    for_each_heard(part.of(0, 0.2), mesh.vertices.size(), [&](size_t v) {
       if (vertices.areas[v] > 0)
-        order[count++] = {morton_key(cube_of(mesh.vertices[v], fine_width)), v};
-    }
+        order[count++] = {morton_key(cube_of(mesh.vertices[v], fine_width)),
+                          static_cast<uint32_t>(v)};
+    });
     order.truncate(count);
-    std::sort(order.begin(), order.end());
+    sort_heard(part.of(0.2, 1), order.begin(), order.end(), std::less<>());
     return order;
   }
 
@@ -96,12 +98,11 @@ class Buckets {
 
 ScratchArray<TangentTensor> average_tensors(const MeshView& mesh, const MeshStatistics& statistics,
                                             const VertexCurvature& vertices, double radius,
-                                            const ScratchSpace& space) {
-  const Buckets buckets(mesh, statistics, vertices, radius, space);
+                                            const ScratchSpace& space, const LoopPart& part) {
+  const Buckets buckets(mesh, statistics, vertices, radius, space, part.of(0, 0.2));
   ScratchArray<TangentTensor> averages = copy_to(space, vertices.tensors);
-#pragma omp parallel for schedule(dynamic, 1024)
-  for (int64_t v = 0; v < static_cast<int64_t>(averages.size()); ++v) {
-    if (!(vertices.areas[v] > 0)) continue;
+  parallel_for_heard(part.of(0.2, 1), averages.size(), [&](size_t v) {
+    if (!(vertices.areas[v] > 0)) return;
     const TangentFrame frame = make_frame(vertices.normals[v]);
     TangentTensor sum;
     double weight = 0;
@@ -114,7 +115,7 @@ ScratchArray<TangentTensor> average_tensors(const MeshView& mesh, const MeshStat
       weight += sample.weight;
     });
     if (weight > 0) averages[v] = sum.scaled(1 / weight);
-  }
+  });
   return averages;
 }
 

@@ -41,7 +41,7 @@ static float range_of(std::span<const CellCurvature> curvature, const ScratchSpa
 }
 
 CurvatureHistogram make_histogram(std::span<const CellCurvature> curvature,
-                                  const ScratchSpace& space) {
+                                  const ScratchSpace& space, const LoopPart& part) {
   CurvatureHistogram histogram;
   histogram.range = range_of(curvature, space);
   const double end = std::asinh(histogram.range);
@@ -51,10 +51,10 @@ CurvatureHistogram make_histogram(std::span<const CellCurvature> curvature,
     const int bin = static_cast<int>(std::clamp(at, 0.0, CurvatureHistogram::kBins - 1.0));
     histogram.area[bin] += static_cast<float>(area / total);
   };
-  for (const CellCurvature& cell : curvature) {
-    add(cell.kappa1, cell.area);
-    add(cell.kappa2, cell.area);
-  }
+  for_each_heard(part, curvature.size(), [&](size_t c) {
+    add(curvature[c].kappa1, curvature[c].area);
+    add(curvature[c].kappa2, curvature[c].area);
+  });
   return histogram;
 }
 

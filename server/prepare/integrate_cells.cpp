@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "common/base/heard_loop.h"
 #include "server/prepare/piece_curvature.h"
 
 namespace burnish {
@@ -10,6 +11,7 @@ namespace burnish {
 namespace {
 
 constexpr size_t kPiecesPerBatch = 1 << 17;  // between two checks for a cancel
+constexpr double kIntegratedPart = 0.9;      // of the phase "integrals"
 
 /// The pieces of some cells.
 struct CellBatch {
@@ -19,13 +21,17 @@ struct CellBatch {
   size_t cells() const { return starts.size() - 1; }
 };
 
+// A huge cell has a batch of its own.
 void next_batch(std::span<const CellPiece> pieces, size_t begin, CellBatch& batch) {
   batch.starts = {0};
-  size_t end = begin;
-  do {
-    end = end_of_cell(pieces, end);
+  size_t end = end_of_cell(pieces, begin);
+  for (;;) {
     batch.starts.push_back(end - begin);
-  } while (end < pieces.size() && end - begin < kPiecesPerBatch);
+    if (end == pieces.size() || end - begin >= kPiecesPerBatch) break;
+    const size_t next = end_of_cell(pieces, end);
+    if (next - end > kPiecesPerBatch) break;
+    end = next;
+  }
   batch.pieces = pieces.subspan(begin, end - begin);
 }
 
@@ -66,25 +72,12 @@ class Integration {
         arrays_{{space, cells}, {space, cells}, {space, cells}, {space, cells}},
         holds_surface_(space, cells) {}
 
-  void add(const CellBatch& batch) {
-    // The triangles of one huge cell are asked one by one: each has one piece there.
-    const bool is_one_cell = batch.cells() == 1;
-    if (!is_one_cell) curvature_.load(batch.pieces);
-#pragma omp parallel for schedule(dynamic, 64)
-    for (size_t i = 0; i < batch.cells(); ++i) {
-      const size_t begin = batch.starts[i], cell = done_ + i;
-      const auto pieces = batch.pieces.subspan(begin, batch.starts[i + 1] - begin);
-      const auto loaded = [&](size_t p) -> const TriangleCurvature& {
-        return curvature_[begin + p];
-      };
-      const auto asked = [&](size_t p) { return surface_.curvature.of(pieces[p].triangle); };
-      arrays_.cells[cell] = pieces.front().cell;
-      arrays_.passages[cell] = passages_of(pieces);
-      CellIntegrals& integrals = arrays_.integrals[cell];
-      CellCurvature& curvature = arrays_.curvature[cell];
-      holds_surface_[cell] = is_one_cell
-                                 ? integrate_cell(surface_, pieces, asked, integrals, curvature)
-                                 : integrate_cell(surface_, pieces, loaded, integrals, curvature);
+  // `part` of the cells were done before.
+  void add(const CellBatch& batch, LoopProgress& loop, double part) {
+    if (batch.cells() == 1) {
+      add_one_cell(batch, loop, part);
+    } else {
+      add_cells(batch);
     }
     done_ += batch.cells();
   }
@@ -97,6 +90,34 @@ class Integration {
   }
 
  private:
+  void add_cells(const CellBatch& batch) {
+    curvature_.load(batch.pieces);
+#pragma omp parallel for schedule(dynamic, 64)
+    for (size_t i = 0; i < batch.cells(); ++i)
+      add_cell(batch, i, [&](size_t p) -> const TriangleCurvature& {
+        return curvature_[batch.starts[i] + p];
+      });
+  }
+
+  // The triangles of one huge cell are asked one by one: each has one piece there. The calling
+  // thread does it, because it alone hears a cancel.
+  void add_one_cell(const CellBatch& batch, LoopProgress& loop, double part) {
+    add_cell(batch, 0, [&](size_t p) {
+      if (p % kHeardBlock == 0 && !loop.goes_on(part)) leave_cancelled_work();
+      return surface_.curvature.of(batch.pieces[p].triangle);
+    });
+  }
+
+  template <typename CurvatureOf>
+  void add_cell(const CellBatch& batch, size_t i, const CurvatureOf& curvature_of) {
+    const size_t begin = batch.starts[i], cell = done_ + i;
+    const auto pieces = batch.pieces.subspan(begin, batch.starts[i + 1] - begin);
+    arrays_.cells[cell] = pieces.front().cell;
+    arrays_.passages[cell] = passages_of(pieces);
+    holds_surface_[cell] = integrate_cell(surface_, pieces, curvature_of, arrays_.integrals[cell],
+                                          arrays_.curvature[cell]);
+  }
+
   // Keeps the cells that hold surface, in order.
   void keep() {
     if (std::ranges::find(holds_surface_, 0) == holds_surface_.end()) return;
@@ -132,13 +153,12 @@ Result<CellArrays> integrate_cells(const Surface& surface, std::span<const CellP
                                    const Progress& progress) {
   Integration integration(surface, cells, space);
   CellBatch batch;
+  LoopProgress loop(progress, "integrals", 0, kIntegratedPart);
   for (size_t begin = 0; begin < pieces.size(); begin += batch.pieces.size()) {
+    const double part = static_cast<double>(begin) / static_cast<double>(pieces.size());
+    if (!loop.goes_on(part)) return cancelled("cancelled while integrating");
     next_batch(pieces, begin, batch);
-    integration.add(batch);
-    const size_t end = begin + batch.pieces.size();
-    if (!report(progress, "integrals",
-                static_cast<double>(end) / static_cast<double>(pieces.size())))
-      return cancelled("cancelled while integrating");
+    integration.add(batch, loop, part);
   }
   return integration.take(space);
 }

@@ -6,8 +6,10 @@
 #include <sstream>
 #include <utility>
 
+#include "common/base/heard_loop.h"
 #include "common/base/limits.h"
 #include "common/base/parallel.h"
+#include "common/evaluation/heard_evaluation.h"
 #include "common/grid/depth_plan.h"
 #include "common/mesh/stored_mesh.h"
 #include "server/prepare/admission.h"
@@ -82,17 +84,16 @@ class Preparation {
         length_unit_(std::sqrt(scan.statistics.area)) {}
 
   Status run() {
-    if (!report(progress_, "grid", 0)) return cancelled("cancelled before cutting at the grid");
-    positions_ = snapped_positions(scan_.mesh, frame_, space());
+    positions_ = snapped_positions(scan_.mesh, frame_, space(), progress_);
     RETURN_IF_ERROR(cut());
     clock_.end("grid");
-    if (!report(progress_, "curvature", 0)) return cancelled("cancelled before the curvature");
     RETURN_IF_ERROR(integrate());
     pieces_ = {};
     positions_ = {};
     arrays_->evaluation = ScratchArray<EvaluationPoint>(space(), scan_.mesh.vertices.size());
     make_evaluation(scan_.mesh, frame_, arrays_->cells.cells,
-                    {arrays_->evaluation.data(), arrays_->evaluation.size()});
+                    {arrays_->evaluation.data(), arrays_->evaluation.size()},
+                    {progress_, "evaluation", 0, 0.9});
     return Status::ok();
   }
 
@@ -103,7 +104,8 @@ class Preparation {
     prepared->length_unit = length_unit_;
     prepared->curvature_radius = scan_.options.curvature_radius;
     prepared->has_double_positions = scan_.mesh.has_double_positions;
-    prepared->histogram = make_histogram(arrays_->cells.curvature, space());
+    prepared->histogram =
+        make_histogram(arrays_->cells.curvature, space(), {progress_, "evaluation", 0.9, 1});
     prepared->walls = walls_;
     arrays_->mesh = std::move(owner);
     point_at(*prepared, scan_.mesh, std::move(arrays_));
@@ -126,7 +128,8 @@ class Preparation {
 
   Status integrate() {
     const MeshCurvature curvature(scan_.surface(), scan_.statistics,
-                                  scan_.options.curvature_radius * length_unit_, space());
+                                  scan_.options.curvature_radius * length_unit_, space(),
+                                  {progress_, "curvature"});
     clock_.end("curvature");
     const GridMesh mesh = grid_mesh();
     const Surface surface = {mesh, curvature, length_unit_};
@@ -139,8 +142,9 @@ class Preparation {
         return admission_.ask();
       };
       const CellArrays& cells = arrays_->cells;
-      ASSIGN_OR_RETURN(arrays_->sheets, find_cell_sheets(surface, pieces_, cells.cells,
-                                                         cells.passages, space(), admit));
+      ASSIGN_OR_RETURN(arrays_->sheets,
+                       find_cell_sheets(surface, pieces_, cells.cells, cells.passages, space(),
+                                        admit, {progress_, "integrals", 0.9, 0.95}));
     }
     find_walls(surface);
     clock_.end("integrals");
@@ -151,7 +155,8 @@ class Preparation {
   void find_walls(const Surface& surface) {
     const MeshStatistics& statistics = scan_.statistics;
     const double area = statistics.area / (frame_.cell_size * frame_.cell_size);
-    walls_ = find_thin_walls(surface, pieces_, area, statistics.signed_volume < 0);
+    walls_ = find_thin_walls(surface, pieces_, area, statistics.signed_volume < 0,
+                             {progress_, "integrals", 0.95, 1});
   }
 
   const ScanToPrepare& scan_;
@@ -183,7 +188,7 @@ Result<std::shared_ptr<const PreparedMesh>> prepare_scan(
       predict_preparation(counts_of(mesh, options), options.space.memory_bytes_max());
   RETURN_IF_ERROR(budget.ask(least).with_context(to_string(least)));
 
-  const ScanToPrepare scan(mesh, options);
+  const ScanToPrepare scan(mesh, options, progress);
   clock.end("statistics");
   const bool is_depth_given = options.depth != 0;
   int depth = is_depth_given ? options.depth
@@ -200,7 +205,7 @@ Result<std::shared_ptr<const PreparedMesh>> prepare_scan(
 
 }  // namespace
 
-// Asks the machine's memory if there is no other budget. Tells allocations that fail.
+// Asks the machine's memory if there is no other budget. Tells allocations that fail, and cancels.
 template <typename Work>
 static auto within_room(const MeshView& mesh, const PrepareOptions& options, PrepareReport* phases,
                         const Work& work) -> Result<std::shared_ptr<const PreparedMesh>> {
@@ -214,6 +219,8 @@ static auto within_room(const MeshView& mesh, const PrepareOptions& options, Pre
   };
   try {
     return work(budget, clock);
+  } catch (const WorkCancelled&) {
+    return cancelled("preparing was cancelled");
   } catch (const ScratchFull& full) {
     return resource_exhausted(scan() + full.what());
   } catch (const std::bad_alloc&) {

@@ -65,14 +65,16 @@ double distance_to(const std::array<Vec3d, 3>& corners, const Vec3d& from, const
   return a < 0 || b < 0 || a + b > 1 ? kNowhere : -normal.dot(start) / along;
 }
 
-// Returns 1 if there is no wall, or a thicker one. Units: cells.
+// Returns 1 if there is no wall, or a thicker one. Units: cells. A cell may have most of the
+// pieces.
 double thickness_at(const Probe& probe, const Surface& surface, std::span<const CellPiece> pieces,
-                    double inwards) {
+                    double inwards, LoopProgress& loop) {
   const Vec3d normal = surface.curvature.normal_of(probe.triangle);
   const Vec3d way = inwards * normal, end = probe.at + way;
   const Vec3i low = probe.at.cwiseMin(end).cwiseMax(0).cast<int>();
   const Vec3i high = probe.at.cwiseMax(end).cwiseMax(0).cast<int>();
   double thickness = 1 - kRounding;
+  size_t met = 0;
   const auto meet = [&](uint32_t triangle) {
     const double distance = distance_to(surface.mesh.corners(triangle), probe.at, way);
     if (distance > kDoubled && distance < thickness &&
@@ -83,20 +85,25 @@ double thickness_at(const Probe& probe, const Surface& surface, std::span<const 
     for (int j = low.y(); j <= high.y(); ++j)
       for (int i = low.x(); i <= high.x(); ++i)
         for (const CellPiece& piece :
-             std::ranges::equal_range(pieces, morton_key({i, j, k}), {}, &CellPiece::cell))
+             std::ranges::equal_range(pieces, morton_key({i, j, k}), {}, &CellPiece::cell)) {
+          if (++met % kHeardBlock == 0 && !loop.goes_on(0)) return thickness;
           meet(piece.triangle);
+        }
   return thickness;
 }
 
 }  // namespace
 
 ThinWalls find_thin_walls(const Surface& surface, std::span<const CellPiece> pieces, double area,
-                          bool is_inside_out) {
+                          bool is_inside_out, const LoopPart& part) {
   const std::vector<Probe> probes = place_probes(surface.mesh, area);
   std::vector<double> thickness(probes.size());
-#pragma omp parallel for schedule(dynamic, 64)
+  LoopProgress loop(part.progress, part.phase, part.begin, part.begin);
+#pragma omp parallel for schedule(dynamic)
   for (size_t i = 0; i < probes.size(); ++i)
-    thickness[i] = thickness_at(probes[i], surface, pieces, is_inside_out ? 1 : -1);
+    if (loop.goes_on(0))
+      thickness[i] = thickness_at(probes[i], surface, pieces, is_inside_out ? 1 : -1, loop);
+  leave_if_cancelled(loop);
   const auto share_below = [&](double cells) {
     const auto below =
         std::ranges::count_if(thickness, [&](double t) { return t < cells * (1 - kRounding); });

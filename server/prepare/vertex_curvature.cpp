@@ -14,7 +14,7 @@ static int corner_of(const Triangle& triangle, uint32_t vertex) {
 // Calls visit(triangle index, shape, corner) for the triangles with a plane around a vertex.
 template <typename Visit>
 static void for_each_corner(const MeshView& mesh, const VertexTriangles& vertex_triangles,
-                            int64_t vertex, double unit, Visit visit) {
+                            size_t vertex, double unit, Visit visit) {
   for (uint32_t t : vertex_triangles[vertex]) {
     const Triangle& triangle = mesh.triangles[t];
     const TriangleShape shape = make_triangle_shape(mesh, triangle, unit);
@@ -24,10 +24,9 @@ static void for_each_corner(const MeshView& mesh, const VertexTriangles& vertex_
 
 static ScratchArray<Vec3d> vertex_normals(const MeshView& mesh,
                                           const VertexTriangles& vertex_triangles, double unit,
-                                          const ScratchSpace& space) {
+                                          const ScratchSpace& space, const LoopPart& part) {
   ScratchArray<Vec3d> normals(space, mesh.vertices.size());
-#pragma omp parallel for schedule(static)
-  for (int64_t v = 0; v < static_cast<int64_t>(normals.size()); ++v) {
+  parallel_for_heard(part, normals.size(), [&](size_t v) {
     Vec3d sum = Vec3d::Zero();
     double length = 0;
     for_each_corner(mesh, vertex_triangles, v, unit,
@@ -38,7 +37,7 @@ static ScratchArray<Vec3d> vertex_normals(const MeshView& mesh,
                     });
     const double norm = sum.norm();
     normals[v] = norm > kCancelledNormal * length ? Vec3d(sum / norm) : Vec3d::Zero();
-  }
+  });
   return normals;
 }
 
@@ -74,32 +73,31 @@ static TangentTensor second_fundamental_form(const TriangleShape& shape, const T
 // In the triangles' own frames; zero for a triangle without a plane.
 static ScratchArray<TangentTensor> triangle_tensors(const MeshView& mesh,
                                                     const ScratchArray<Vec3d>& normals, double unit,
-                                                    const ScratchSpace& space) {
+                                                    const ScratchSpace& space,
+                                                    const LoopPart& part) {
   ScratchArray<TangentTensor> tensors(space, mesh.triangles.size());
-#pragma omp parallel for schedule(static)
-  for (int64_t t = 0; t < static_cast<int64_t>(tensors.size()); ++t) {
+  parallel_for_heard(part, tensors.size(), [&](size_t t) {
     const Triangle& triangle = mesh.triangles[t];
     const TriangleShape shape = make_triangle_shape(mesh, triangle, unit);
     tensors[t] = {};
-    if (!shape.has_plane) continue;
+    if (!shape.has_plane) return;
     tensors[t] = second_fundamental_form(
         shape, shape.frame(), {normals[triangle[0]], normals[triangle[1]], normals[triangle[2]]});
-  }
+  });
   return tensors;
 }
 
 VertexCurvature compute_vertex_curvature(const MeshView& mesh, double unit,
-                                         const ScratchSpace& space) {
-  const VertexTriangles vertex_triangles(mesh, space);
+                                         const ScratchSpace& space, const LoopPart& part) {
+  const VertexTriangles vertex_triangles(mesh, space, part.of(0, 0.2));
   VertexCurvature result;
-  result.normals = vertex_normals(mesh, vertex_triangles, unit, space);
+  result.normals = vertex_normals(mesh, vertex_triangles, unit, space, part.of(0.2, 0.5));
   result.tensors = ScratchArray<TangentTensor>(space, mesh.vertices.size());
   result.areas = ScratchArray<double>(space, mesh.vertices.size());
   const ScratchArray<TangentTensor> of_triangles =
-      triangle_tensors(mesh, result.normals, unit, space);
-#pragma omp parallel for schedule(static)
-  for (int64_t v = 0; v < static_cast<int64_t>(mesh.vertices.size()); ++v) {
-    if (!result.has_normal(v)) continue;
+      triangle_tensors(mesh, result.normals, unit, space, part.of(0.5, 0.7));
+  parallel_for_heard(part.of(0.7, 1), mesh.vertices.size(), [&](size_t v) {
+    if (!result.has_normal(v)) return;
     const TangentFrame frame = make_frame(result.normals[v]);
     TangentTensor sum;
     double area = 0;
@@ -111,7 +109,7 @@ VertexCurvature compute_vertex_curvature(const MeshView& mesh, double unit,
                     });
     result.tensors[v] = sum.scaled(1 / area);
     result.areas[v] = area;
-  }
+  });
   return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/base/heard_loop.h"
 #include "common/base/scratch_array.h"
 #include "common/mesh/triangle_mesh.h"
 #include "server/prepare/tangent_tensor.h"
@@ -16,8 +17,9 @@ struct VertexCurvature {
   bool has_normal(size_t v) const { return !normals[v].isZero(0); }
 };
 
-/// Source: Rusinkiewicz 2004, section 3.
+/// Source: Rusinkiewicz 2004, section 3. Throws: WorkCancelled.
 VertexCurvature compute_vertex_curvature(const MeshView& mesh, double unit,
-                                         const ScratchSpace& space);
+                                         const ScratchSpace& space,
+                                         const LoopPart& part = kUnheardLoop);
 
 }  // namespace burnish

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 
+#include "common/base/heard_loop.h"
 #include "common/base/scratch_array.h"
 #include "common/mesh/triangle_mesh.h"
 
@@ -12,7 +13,9 @@ namespace burnish {
 /// threads. A triangle that repeats a vertex is there once per corner.
 class VertexTriangles {
  public:
-  VertexTriangles(const MeshView& mesh, const ScratchSpace& space);
+  /// Throws: WorkCancelled.
+  VertexTriangles(const MeshView& mesh, const ScratchSpace& space,
+                  const LoopPart& part = kUnheardLoop);
 
   std::span<const uint32_t> operator[](size_t vertex) const {
     return {triangles_.data() + start_[vertex], triangles_.data() + start_[vertex + 1]};

@@ -43,6 +43,19 @@ TEST(JoinedMesh, ManyVerticesAtOnePlaceAreOne) {
   EXPECT_THAT(least, testing::Each(0));
 }
 
+TEST(JoinedMesh, HearsACancelWhileItSortsVerticesOfOnePlace) {
+  const std::vector<Vec3d> vertices(100'000, Vec3d(1, 2, 3));
+  int reports = 0;
+  const Progress count = [&](std::string_view, double) { return ++reports > 0; };
+  EXPECT_EQ(least_at_places(vertices, {}, {count, "joining"})[99'999], 0u);
+  EXPECT_GE(reports, 5) << "two sorts, and the loops before them";
+  for (int until = 1; until <= 5; ++until) {
+    int left = until;
+    const Progress cancel = [&](std::string_view, double) { return --left > 0; };
+    EXPECT_THROW((void)least_at_places(vertices, {}, {cancel, "joining"}), WorkCancelled);
+  }
+}
+
 TEST(JoinedMesh, ItsTrianglesHaveTheLeastVertices) {
   const TriangleMesh mesh = make_torn_square();
   const JoinedMesh joined(mesh, {});

@@ -1,8 +1,12 @@
 #include "common/mesh/statistics.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
+
+#include "common/mesh/heard_statistics.h"
 
 namespace burnish {
 namespace {
@@ -113,6 +117,28 @@ TEST(Statistics, UnreferencedVerticesCountNeitherInBoxNorComponents) {
   EXPECT_EQ(statistics.components, 1);
   EXPECT_EQ(statistics.box_min, Vec3d(0, 0, 0));
   EXPECT_EQ(statistics.box_max, Vec3d(1, 1, 1));
+}
+
+TEST(Statistics, HearACancelWhileTheySortTheEdgesOfAFan) {
+  constexpr uint32_t kRays = 100'000;
+  TriangleMesh mesh;
+  for (uint32_t v = 0; v <= kRays; ++v) mesh.vertices.emplace_back(v, v % 7, 0);
+  for (uint32_t v = 1; v < kRays; ++v) mesh.triangles.push_back({0, v, v + 1});
+  std::vector<double> fractions;
+  const Progress watch = [&](std::string_view, double fraction) {
+    fractions.push_back(fraction);
+    return true;
+  };
+  const MeshStatistics whole = compute_statistics(mesh, {}, {watch, "statistics"});
+  EXPECT_EQ(whole.boundary_edges, kRays + 1u);
+  EXPECT_TRUE(std::ranges::is_sorted(fractions));
+  EXPECT_GE(fractions.size(), 12u) << "a loop was not heard";
+  int left = 0;
+  const Progress cancel = [&](std::string_view, double) { return --left > 0; };
+  for (size_t until = 1; until <= 12; ++until) {
+    left = static_cast<int>(until);
+    EXPECT_THROW((void)compute_statistics(mesh, {}, {cancel, "statistics"}), WorkCancelled);
+  }
 }
 
 }  // namespace

@@ -40,6 +40,20 @@ TEST(ZipReader, APicturesMemoryIsAskedForAndARefusalNamesItAndItsSize) {
   EXPECT_THAT(read.status().message(), HasSubstr("skin.png: picture of " + sides + " pixels"));
 }
 
+TEST(ZipReader, ACancelIsHeardInAPicture) {
+  const NamedTexts files = {{"skin.png", png_of(square_picture())},
+                            {"square.obj", kSquareObj},
+                            {"square.mtl", kSquareMtl}};
+  const std::string zip = as_string(packed(files));
+  const auto cancel = [](uint64_t bytes) {
+    return bytes == 0 ? cancelled("between two rows") : Status::ok();
+  };
+  const auto read = read_stored_mesh({reinterpret_cast<const uint8_t*>(zip.data()), zip.size()},
+                                     MeshFormat::kZip, "scan", ScratchSpace(), cancel);
+  EXPECT_EQ(read.status().code(), StatusCode::kCancelled);
+  EXPECT_THAT(read.status().message(), HasSubstr("skin.png"));
+}
+
 TEST(ZipReader, PicturesBesideTheObjsFolderAreFound) {
   const NamedTexts files = {{"textures/skin.png", png_of(square_picture())},
                             {"source/square.obj", kSquareObj},

@@ -47,6 +47,34 @@ TEST(Picture, PngIsReadExactly) {
   EXPECT_EQ(picture->pixels, made.pixels);
 }
 
+/// Returns how many rows are taken when `asks` are answered, and the next one is not.
+int rows_until(const std::string& file, int asks, StatusCode& code) {
+  int rows = 0;
+  const auto begin = [](const PictureSize&) { return Status::ok(); };
+  const auto take = [&](const PixelRun&) { ++rows; };
+  const auto goes_on = [&] { return asks-- > 0; };
+  code = read_picture_rows({reinterpret_cast<const uint8_t*>(file.data()), file.size()}, "skin",
+                           {begin, take, goes_on})
+             .code();
+  return rows;
+}
+
+TEST(Picture, ACancelIsHeardBetweenTwoRowsAndInEachScan) {
+  const Picture made = drawn(64, 64, [](uint32_t x, uint32_t y) {
+    return Rgba8{static_cast<uint8_t>(x), static_cast<uint8_t>(y), 0, 255};
+  });
+  for (const std::string& file :
+       {png_of(made), interlaced_png_of(made), jpeg_of(made), jpeg_of(made, true)}) {
+    StatusCode code = StatusCode::kOk;
+    const int all = rows_until(file, 1'000'000, code);
+    EXPECT_EQ(code, StatusCode::kOk);
+    for (const int asks : {0, 1, 5}) {
+      EXPECT_LT(rows_until(file, asks, code), all);
+      EXPECT_EQ(code, StatusCode::kCancelled) << asks;
+    }
+  }
+}
+
 TEST(Picture, JpegIsReadNearly) {
   const Picture made = stripes();
   const auto picture = read(jpeg_of(made));
