@@ -5,7 +5,7 @@
 
 #include <spdlog/spdlog.h>
 
-#include "common/service/kept_name.h"
+#include "server/library/kept_name.h"
 #include "server/library/scan_record.h"
 
 namespace burnish {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "common/service/kept_name.h"
+#include "server/library/kept_name.h"
 
 namespace burnish {
 

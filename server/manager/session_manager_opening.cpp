@@ -6,7 +6,7 @@
 #include <chrono>
 
 #include "common/base/clock.h"
-#include "common/service/kept_name.h"
+#include "server/library/kept_name.h"
 #include "server/manager/session_manager_held.h"
 
 namespace burnish {

@@ -18,9 +18,9 @@ Status check_kept_name(std::string_view what, std::string_view name);
 /// digits.
 Status check_scan_name(std::string_view name);
 
-/// Returns a name as a reader sees it: without case, joiners and the width of letters. Two scans
-/// must not have names that look alike. Knows the cases of Latin, Greek and Cyrillic letters, and
-/// not which letters of different scripts have one shape.
+/// Returns a name as a reader sees it, by Unicode's NFKC_Casefold: without case, joiners, the width
+/// of letters and other ways to write a character. Two scans must not have names that look alike.
+/// Does not know which letters of different scripts have one shape.
 std::string look_of_name(std::string_view name);
 
 /// Returns a name that check_scan_name() takes, as near to this one as it can be: without blanks at

@@ -1,7 +1,12 @@
-#include "common/service/kept_name.h"
+#include "server/library/kept_name.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cstdlib>
+#include <memory>
+
+#include <utf8proc.h>
 
 #include "common/base/limits.h"
 #include "common/base/text.h"
@@ -14,20 +19,24 @@ namespace {
 constexpr size_t kIdDigits = 64;
 
 bool is_blank(char32_t c) {
-  return c == U' ' || c == 0xa0 || c == 0x1680 || (c >= 0x2000 && c <= 0x200a) || c == 0x202f ||
-         c == 0x205f || c == 0x3000;
+  return utf8proc_category(static_cast<int32_t>(c)) == UTF8PROC_CATEGORY_ZS;
 }
 
-/// Characters without a picture, that change nothing beside them.
-bool is_unseen(char32_t c) {
-  return c == 0xad || c == 0x115f || c == 0x1160 || c == 0x180e || c == 0x200b ||
-         (c >= 0x2060 && c <= 0x2064) || c == 0x3164 || c == 0xfeff || c == 0xffa0 ||
-         (c >= 0xe0000 && c <= 0xe007f);
+/// Returns whether Unicode says that nothing shows the character, also where it has no meaning yet.
+bool is_ignorable(char32_t c) {
+  const bool is_tag = c >= 0xe0000 && c <= 0xe007f;
+  return is_tag || utf8proc_get_property(static_cast<int32_t>(c))->ignorable;
 }
 
 /// Joiners and selectors change how their neighbours look in some scripts.
 bool joins(char32_t c) {
-  return c == 0x200c || c == 0x200d || (c >= 0xfe00 && c <= 0xfe0f);
+  const bool is_mark = utf8proc_category(static_cast<int32_t>(c)) == UTF8PROC_CATEGORY_MN;
+  return is_ignorable(c) && (is_mark || c == 0x200c || c == 0x200d);
+}
+
+/// Characters without a picture, that change nothing beside them.
+bool is_unseen(char32_t c) {
+  return is_ignorable(c) && !joins(c);
 }
 
 std::u32string characters_of(std::string_view name) {
@@ -36,34 +45,13 @@ std::u32string characters_of(std::string_view name) {
   return characters;
 }
 
-char32_t lower(char32_t c) {
-  if (c >= 0xff01 && c <= 0xff5e) c -= 0xff01 - 0x21;  // wide letters, then their case
-  const bool is_capital = (c >= U'A' && c <= U'Z') || (c >= 0xc0 && c <= 0xde && c != 0xd7) ||
-                          (c >= 0x391 && c <= 0x3a9) || (c >= 0x410 && c <= 0x42f);
-  if (is_capital) return c + 0x20;
-  if (c >= 0x400 && c <= 0x40f) return c + 0x50;
-  const bool is_pair = (c >= 0x100 && c <= 0x137) || (c >= 0x14a && c <= 0x177) ||
-                       (c >= 0x460 && c <= 0x481) || (c >= 0x48a && c <= 0x4bf);
-  return is_pair ? c | 1 : c;
-}
-
-void append(std::string& text, char32_t c) {
-  const auto put = [&](char32_t bits) { text += static_cast<char>(bits); };
-  if (c < 0x80) return put(c);
-  if (c < 0x800) return put(0xc0 | c >> 6), put(0x80 | (c & 0x3f));
-  if (c < 0x10000) {
-    put(0xe0 | c >> 12);
-  } else {
-    put(0xf0 | c >> 18);
-    put(0x80 | (c >> 12 & 0x3f));
-  }
-  put(0x80 | (c >> 6 & 0x3f));
-  put(0x80 | (c & 0x3f));
-}
-
 std::string as_text(std::u32string_view characters) {
   std::string text;
-  for (const char32_t c : characters) append(text, c);
+  for (const char32_t c : characters) {
+    std::array<utf8proc_uint8_t, 4> bytes;
+    const auto size = utf8proc_encode_char(static_cast<int32_t>(c), bytes.data());
+    text.append(bytes.begin(), bytes.begin() + size);
+  }
   return text;
 }
 
@@ -112,12 +100,10 @@ Status check_scan_name(std::string_view name) {
 }
 
 std::string look_of_name(std::string_view name) {
-  std::u32string look;
-  for (const char32_t c : characters_of(name)) {
-    if (is_unseen(c) || joins(c)) continue;
-    look += is_blank(c) ? U' ' : lower(c);
-  }
-  return as_text(look);
+  const std::string text = to_valid_utf8(name);
+  const std::unique_ptr<utf8proc_uint8_t, decltype(&std::free)> look(
+      utf8proc_NFKC_Casefold(reinterpret_cast<const utf8proc_uint8_t*>(text.c_str())), &std::free);
+  return look ? reinterpret_cast<const char*>(look.get()) : text;
 }
 
 std::string numbered_scan_name(std::string_view name, int number) {

@@ -1,4 +1,4 @@
-#include "common/service/kept_name.h"
+#include "server/library/kept_name.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ using testing::HasSubstr;
 
 TEST(KeptName, BlanksAtTheEndsAndUnseenCharactersAreRefused) {
   for (const char* name : {" ", "   ", "open ", " open", "open\u00a0", "\u3000", "open\u200b",
-                           "\ufeffopen", "o\u00adpen", "op\u2060en", "\u200d"})
+                           "\ufeffopen", "o\u00adpen", "op\u2060en", "\u200d", "o\U000e0002pen"})
     EXPECT_EQ(check_kept_name("the name", name).code(), StatusCode::kInvalidArgument) << name;
   for (const char* name : {"open", "left hand", "Müller", "猫", "k\u200cy", "face", "a.b (2)"})
     EXPECT_TRUE(check_kept_name("the name", name).is_ok()) << name;
@@ -33,6 +33,11 @@ TEST(KeptName, NamesThatLookAlikeHaveOneLook) {
   EXPECT_EQ(look_of_name("Ｏpen"), look_of_name("open"));
   EXPECT_EQ(look_of_name("op\u200den"), look_of_name("open"));
   EXPECT_EQ(look_of_name("a\u00a0b"), look_of_name("a b"));
+  EXPECT_EQ(look_of_name("M\u00fcller"), look_of_name("Mu\u0308ller")) << "two ways to write ü";
+  EXPECT_EQ(look_of_name("Straße"), look_of_name("STRASSE"));
+  EXPECT_EQ(look_of_name("ﬁgure"), look_of_name("figure"));
+  EXPECT_EQ(look_of_name("ᏸ"), look_of_name("Ᏸ"));
+  EXPECT_EQ(look_of_name("a\U000e0100b"), look_of_name("ab"));
   EXPECT_NE(look_of_name("open"), look_of_name("opens"));
   EXPECT_NE(look_of_name("a b"), look_of_name("ab"));
   EXPECT_EQ(look_of_name("猫𝄞"), "猫𝄞");
