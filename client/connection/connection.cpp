@@ -62,8 +62,22 @@ Result<std::shared_ptr<const ReachedServer>> Connection::State::reach() {
   if (place.address != server) {
     ASSIGN_OR_RETURN(way, make_channel(place.address, trust));
   }
-  reached = std::make_shared<ReachedServer>(ReachedServer{place, v1::Editing::NewStub(way)});
+  reached = std::make_shared<ReachedServer>(ReachedServer{place, way, v1::Editing::NewStub(way)});
   return reached;
+}
+
+// The first server says who has the session. As long as the lease of a killed server lives, that is
+// the killed one.
+bool Connection::State::awaits_takeover(const ReachedServer& owner, const grpc::Status& ended,
+                                        std::chrono::steady_clock::time_point until) {
+  static constexpr std::chrono::seconds kStep{1};
+  const bool has_left = ended.error_code() != grpc::StatusCode::UNAVAILABLE ||
+                        ended.error_message().find("failed to connect") == std::string::npos;
+  const bool is_first = owner.place.address == server;
+  if (has_left || is_first || std::chrono::steady_clock::now() >= until) return false;
+  connect_again(*owner.channel, kStep);
+  route->move_to({server, {}});
+  return true;
 }
 
 void set_node(grpc::ClientContext& context, const std::string& node) {

@@ -22,9 +22,14 @@ Status call_status(const std::string& server, const grpc::Status& status);
 /// Has a proxy lead a call to the server of this name, if the name is known.
 void set_node(grpc::ClientContext& context, const std::string& node);
 
+/// How long a call waits for another server to take a session over: a fleet's usual lease, and what
+/// the takeover takes.
+inline constexpr std::chrono::seconds kTakeoverMax{13};
+
 /// A server of sessions, and the way there.
 struct ReachedServer {
   ServerPlace place;
+  std::shared_ptr<grpc::Channel> channel;
   std::unique_ptr<v1::Editing::Stub> editing;
 };
 
@@ -45,17 +50,28 @@ struct Connection::State {
   /// Returns the server to which the route leads. Fails: as make_channel().
   Result<std::shared_ptr<const ReachedServer>> reach();
 
-  /// Makes a call about a session where the session is: follows it up to kMovesMax times. Shape of
-  /// a call: grpc::Status(v1::Editing::Stub&, grpc::ClientContext&); it may be made again until the
-  /// server has taken it. Fails: as the last server says.
+  /// Waits a moment, and turns back to the first server, if the call has never left because nothing
+  /// listens where the session was. Returns false if there is nothing to wait for, or not longer.
+  bool awaits_takeover(const ReachedServer& owner, const grpc::Status& ended,
+                       std::chrono::steady_clock::time_point until);
+
+  /// Makes a call about a session where the session is: follows it up to kMovesMax times, and waits
+  /// up to kTakeoverMax for a server to take it over. Shape of a call:
+  /// grpc::Status(v1::Editing::Stub&, grpc::ClientContext&); it may be made again until the server
+  /// has taken it. Fails: as the last server says.
   template <typename Call>
   Status call_owner(const Call& call) {
+    const auto until = std::chrono::steady_clock::now() + kTakeoverMax;
     for (int moves = 0;; ++moves) {
       ASSIGN_OR_RETURN(const auto owner, reach());
       grpc::ClientContext context;
       set_user(context);
       set_node(context, owner->place.node);
       const grpc::Status ended = call(*owner->editing, context);
+      if (awaits_takeover(*owner, ended, until)) {
+        moves = -1;  // before the next round
+        continue;
+      }
       const Status status = call_status(owner->place.address, ended);
       if (status.moved_to().empty() || moves == kMovesMax) return status;
       route->move_to(ServerPlace::of(status.moved_to()));

@@ -76,7 +76,8 @@ static Status migrate(PgConnection& database) {
   const auto newest = static_cast<int64_t>(kPgSteps.size());
   if (found < 0 || found > newest + 1)
     return data_loss("the journal's version is " + std::to_string(found) + ", this program knows " +
-                     std::to_string(newest) + " and takes " + std::to_string(newest + 1));
+                     std::to_string(newest) + " and takes " + std::to_string(newest + 1) +
+                     ": a later program has written it; use that one, or a backup");
   for (int64_t version = found; version < newest; ++version)
     RETURN_IF_ERROR(database.script(kPgSteps[static_cast<size_t>(version)]));
   if (found >= newest) return Status::ok();

@@ -37,16 +37,30 @@ static Result<std::map<std::string, uint64_t>> compare_ends(Database& database,
   return ends;
 }
 
-Result<std::unique_ptr<Journal>> SqliteJournal::open(const std::filesystem::path& path) {
+static Status with_way_out(const Status& status) {
+  if (status.code() != StatusCode::kDataLoss) return status;
+  return data_loss(status.message() +
+                   "; put a backup in its place, or see \"Damage\" in the server's README");
+}
+
+/// Opens the file, with the newest schema.
+static Result<Database> open_database(const std::filesystem::path& path) {
   ASSIGN_OR_RETURN(Database database, Database::open(path));
   RETURN_IF_ERROR(make_journal_schema(database).with_context(path.string()));
+  return database;
+}
+
+Result<std::unique_ptr<Journal>> SqliteJournal::open(const std::filesystem::path& path) {
+  auto opened = open_database(path);
+  if (!opened.is_ok()) return with_way_out(opened.status());
+  Database database = std::move(opened).value();
   ASSIGN_OR_RETURN(const auto users, read_users_of_damaged_roles(database));
   for (const std::string& user : users)
     spdlog::error("a role of user '{}' in the journal is damaged", user);
   auto ends_path = path;
   auto ends = std::make_unique<JournalEnds>(ends_path.replace_extension(".ends"));
   const auto now = compare_ends(database, *ends);
-  RETURN_IF_ERROR(now.status().with_context(path.string()));
+  RETURN_IF_ERROR(with_way_out(now.status().with_context(path.string())));
   ends->begin(*now);
   return std::unique_ptr<Journal>(new SqliteJournal(std::move(database), std::move(ends)));
 }

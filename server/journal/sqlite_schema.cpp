@@ -98,7 +98,7 @@ Status make_journal_schema(Database& database) {
   const auto newest = static_cast<int64_t>(kSteps.size());
   if (version < 0 || version > newest)
     return data_loss("its version is " + std::to_string(version) + ", this program knows " +
-                     std::to_string(newest));
+                     std::to_string(newest) + ": a later program has written it");
   for (; version < newest; ++version)
     RETURN_IF_ERROR(database.execute(kSteps[static_cast<size_t>(version)]));
   return transaction.commit().status();

@@ -4,7 +4,9 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
+import tempfile
 import tomllib
 import unittest
 
@@ -105,6 +107,18 @@ class Kits(unittest.TestCase):
             unit = text_of(name).split("# The server needs its data")[1]
             return [line for line in unit.splitlines() if "=" in line and not line.startswith("#")]
         self.assertEqual(hardening("burnish-server.service"), hardening("burnish-server@.service"))
+
+    @unittest.skipUnless(shutil.which("systemd-analyze"), "there is no systemd-analyze here")
+    def test_systemd_understands_the_units(self):
+        for name in ("burnish-server.service", "burnish-server@.service"):
+            with self.subTest(name), tempfile.TemporaryDirectory(prefix="burnish-") as folder:
+                # The programs of the unit need not be installed, and its instance needs a name.
+                unit = pathlib.Path(folder) / name.replace("@", "@0")
+                unit.write_text(text_of(name).replace("/usr/bin/burnish-server", "/bin/true"),
+                                encoding="utf-8")
+                found = subprocess.run(["systemd-analyze", "verify", "--man=no", unit], check=False,
+                                       capture_output=True, text=True)
+                self.assertEqual((found.returncode, found.stderr), (0, ""))
 
     def test_time_to_drain_fits_into_the_kits(self):
         drain = tomllib.loads(text_of("server.example.toml"))["drain_seconds"]

@@ -11,9 +11,10 @@ from burnish.v1.library_pb2_grpc import LibraryStub
 
 from ._channel import Trust, make_channel
 from ._route import MOVES_MAX, Moved, Route, moved_of
-from .errors import Error, Unavailable, error_of
+from .errors import Error, FailedPrecondition, Unavailable, error_of
 
 CALL_SECONDS_MAX = 600.0
+PATIENCE_SECONDS = 13.0  # a fleet's usual lease of 10 s, and what it takes to open a session elsewhere
 PAUSE_SECONDS = 0.1
 PAUSE_SECONDS_MAX = 2.0
 T = TypeVar("T")
@@ -38,12 +39,14 @@ class Calls:
 
     def __init__(self, address: str, trust: Trust, patience: float) -> None:
         self.address, self.patience = address, patience
+        self._is_closed = False
         channel = make_channel(address, trust)
         self._metadata = trust.metadata()
         self.library = LibraryStub(channel)
         self.editing = Route(address, channel, trust)
 
     def close(self) -> None:
+        self._is_closed = True
         self.editing.close()
 
     def ask(self, method: Any, request: Any) -> Any:
@@ -58,6 +61,10 @@ class Calls:
             return method(request, metadata=self._metadata, timeout=CALL_SECONDS_MAX)
         except grpc.RpcError as error:
             raise as_error(error) from None
+        except ValueError as error:  # gRPC's word for a channel that is closed
+            if not self._is_closed:
+                raise
+            raise FailedPrecondition("the connection is closed") from error
 
     def stream(self, method: Any, request: Any, seconds: float | None = None) -> Generator[Any, None, None]:
         """Yields the answers of a call, and cancels it when it is closed. `request`: a message, or an

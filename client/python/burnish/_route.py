@@ -43,6 +43,7 @@ class Route:
         self._trust = trust
         self._lock = threading.Lock()
         self._address, self._node = address, ""
+        self._home = address
         self._fleet: list[str] = []
         self._channels = {address: channel}
         self._stub = EditingStub(channel)
@@ -68,9 +69,10 @@ class Route:
             self._fleet = fleet
 
     def give_up(self) -> None:
-        """The server does not answer: goes on to the next one of the fleet, if there is one."""
+        """The server does not answer: goes on to the next one of the fleet, or to the first one if no
+        other is known. It says who has the session by then."""
         with self._lock:
-            fleet = self._fleet or [self._address]
+            fleet = self._fleet or [self._home]
             at = fleet.index(self._address) + 1 if self._address in fleet else 0
             self._go(fleet[at % len(fleet)], "")
 

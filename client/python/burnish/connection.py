@@ -10,7 +10,7 @@ from typing import BinaryIO
 
 from burnish.v1 import common_pb2, editing_pb2, library_pb2
 
-from ._calls import Calls
+from ._calls import PATIENCE_SECONDS, Calls
 from ._channel import PathLike, Trust
 from .errors import Damaged
 from .files import Upload, format_of, sha256_of
@@ -23,13 +23,14 @@ from .session import Session
 def connect(address: str = "127.0.0.1:7411", *, user: str | None = None, token: str | None = None,
             ca: PathLike | None = None, certificate: PathLike | None = None,
             key: PathLike | None = None, tls: bool = False, insecure: bool = False,
-            patience: float = 10.0) -> Connection:
+            patience: float = PATIENCE_SECONDS) -> Connection:
     """Connects with a server: `address` is HOST:PORT or unix:PATH.
 
     `user` is your name, on a server without users; `token` says who you are on one with users.
     TLS is used with `ca` (a PEM file), with `tls` (the system's CAs) or with a client's
     `certificate` and `key`. `insecure` lets a token travel to another machine in plain text.
-    `patience`: seconds for which calls are repeated while the server cannot be reached.
+    `patience`: seconds for which calls are repeated while the server cannot be reached. In a fleet
+    with a longer lease than 10 s: the lease, and 3 s.
     Raises Unavailable, Unauthenticated, and OSError for files.
     """
     trust = Trust(user=user, token=token, ca=ca, certificate=certificate, key=key, tls=tls,

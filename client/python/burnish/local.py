@@ -58,14 +58,15 @@ class Options:
                  "colour-beta": self.colour_beta, "colour-alpha": self.colour_alpha,
                  "depth": self.depth, "cycles": self.cycles}
         words = [f"--{name}={value}" for name, value in given.items() if value is not None]
-        words += [f"--band={band.size!r}:{band.gain!r}" for band in self.bands]
+        words += [f"--band={float(band.size)!r}:{float(band.gain)!r}" for band in self.bands]
         if self.curve is not None:
             points = sorted(self.curve.points.items())
-            words.append("--curve=" + ",".join(f"{kappa!r}:{alpha!r}" for kappa, alpha in points))
+            words.append("--curve=" + ",".join(f"{float(kappa)!r}:{float(alpha)!r}"
+                                                 for kappa, alpha in points))
         if self.controls is not None:
             words += [f"--pin-rims={'on' if self.controls.pin_rims else 'off'}",
                       f"--keep-volume={'on' if self.controls.keep_volume else 'off'}"]
-            words += [f"--cap={self.controls.cap!r}"] if self.controls.cap else []
+            words += [f"--cap={float(self.controls.cap)!r}"] if self.controls.cap else []
         return words + (["--exact"] if self.exact else [])
 
 

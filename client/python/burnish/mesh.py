@@ -28,7 +28,10 @@ class Mesh:
 
     def __post_init__(self) -> None:
         self.vertices = rows(self.vertices, 3, "vertices")
-        self.faces = rows(self.faces, 3, "faces").astype(np.int64)
+        faces = rows(self.faces, 3, "faces")
+        self.faces = faces.astype(np.int64)
+        if (self.faces != faces).any():
+            raise ValueError("faces has numbers that are not whole: it has indices of vertices")
 
     @property
     def bounds(self) -> npt.NDArray[np.float64]:

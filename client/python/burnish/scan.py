@@ -145,7 +145,7 @@ class Scan:
             scan=self.id, depth=depth))
         if not described.HasField("prepared"):
             raise self._not_prepared(depth)
-        return _prepared_of(described.prepared)
+        return prepared_of(described.prepared)
 
     def rename(self, name: str) -> None:
         """Gives the scan another name, 1 to 200 bytes of UTF-8."""
@@ -169,7 +169,7 @@ class Scan:
         return NotFound(f"scan {self.name} is not prepared at depth {depth}, but at {self.depths}")
 
 
-def _prepared_of(message: Any) -> Prepared:
+def prepared_of(message: Any) -> Prepared:
     area = np.array(message.histogram, np.float64)
     reach = np.arcsinh(message.histogram_range)
     kappa = np.sinh(np.linspace(-reach, reach, len(area) + 1))

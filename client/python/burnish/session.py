@@ -10,7 +10,7 @@ from typing import Any, Iterator
 import numpy as np
 import numpy.typing as npt
 
-from burnish.v1 import common_pb2, editing_pb2
+from burnish.v1 import common_pb2, editing_pb2, library_pb2
 
 from ._calls import Calls
 from ._channel import PathLike
@@ -22,6 +22,7 @@ from .live import Live
 from .mesh import Mesh, load_ply
 from .people import People, role_of
 from .progress import Progress
+from .scan import prepared_of
 
 EDITS_MAX = 64
 LINES = tuple[list[npt.NDArray[np.float64]], list[npt.NDArray[np.float64]]]
@@ -87,6 +88,13 @@ class Session:
     def set_alpha(self, alpha: float) -> int:
         """Sets the fidelity weight (times L): the larger, the finer the detail that is changed."""
         return self.apply(TransferCurve.constant(alpha))[0]
+
+    def set_wavelength(self, wavelength: float) -> int:
+        """Sets the fidelity as a length in the scan's units: beta 0 halves waves of this length."""
+        described = self._calls.ask(self._calls.library.DescribeScan,
+                                    library_pb2.DescribeScanRequest(scan=self.scan_id,
+                                                                    depth=self.depth))
+        return self.set_alpha(prepared_of(described.prepared).alpha_of(wavelength))
 
     def undo(self) -> int:
         """Switches off your newest entry that is on. Raises FailedPrecondition if there is none."""

@@ -118,6 +118,12 @@ class Edits(Sdk):
             with self.assertRaises(ValueError):
                 self.session.apply(wrong)
 
+    def test_a_wavelength_is_an_alpha_of_the_scan(self):
+        self.session.set_wavelength(2)
+        self.session.set_alpha(self.scan.prepared(self.session.depth).alpha_of(2))
+        by_length, by_alpha = self.summaries()
+        self.assertEqual(by_length, by_alpha)
+
     def test_deviation_and_section_measure_the_surface(self):
         self.assertEqual(self.session.deviation().max, 0)
         self.session.apply(burnish.GradientScale(0), COARSE)

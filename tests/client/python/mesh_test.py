@@ -43,6 +43,10 @@ class Meshes(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, r"vertices.*\(4, 2\).*\(n, 3\)"):
             burnish.Mesh(np.zeros((4, 2)), SQUARE.faces)
 
+    def test_faces_of_broken_numbers_are_refused(self):
+        with self.assertRaisesRegex(ValueError, "faces.*whole"):
+            burnish.Mesh(SQUARE.vertices, SQUARE.faces + 0.5)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -19,6 +19,7 @@ class Server(editing_pb2_grpc.EditingServicer, library_pb2_grpc.LibraryServicer)
 
     def __init__(self, moved=None, farewells=()):
         self.moved, self.nodes, self.farewells = moved, [], list(farewells)
+        self.on_call = lambda asked: None
         self.welcome, self.has_guest = editing_pb2.Welcome(), threading.Event()
         self._server = grpc.server(concurrent.futures.ThreadPoolExecutor(2))
         editing_pb2_grpc.add_EditingServicer_to_server(self, self._server)
@@ -34,6 +35,7 @@ class Server(editing_pb2_grpc.EditingServicer, library_pb2_grpc.LibraryServicer)
 
     def GetState(self, request, context):
         self.nodes.append(dict(context.invocation_metadata()).get("x-burnish-node", ""))
+        self.on_call(len(self.nodes))
         if self.moved:
             context.set_trailing_metadata((("grpc-status-details-bin", self.moved.SerializeToString()),))
             context.abort(grpc.StatusCode.FAILED_PRECONDITION, "server two holds the session")
@@ -69,6 +71,26 @@ class MovedTest(unittest.TestCase):
         one = self.server(editing_pb2.Moved(address=two.address, node="two"))
         self.assertEqual(self.session_at(one).name, "work")
         self.assertEqual((one.nodes, two.nodes), ([""], ["two"]))
+
+    def test_a_session_of_a_killed_server_is_asked_for_until_another_has_it(self):
+        killed = self.server()
+        killed.close()
+        one = self.server(editing_pb2.Moved(address=killed.address, node="two"))
+
+        def take_over(asked):
+            if asked == 2:
+                one.moved = None
+        one.on_call = take_over
+        connection = burnish.connect(one.address, patience=600)
+        self.addCleanup(connection.close)
+        self.assertEqual(connection.session("work").name, "work")
+        self.assertEqual(one.nodes, ["", ""])
+
+    def test_a_closed_connection_says_so(self):
+        connection = burnish.connect(self.server().address)
+        connection.close()
+        with self.assertRaisesRegex(burnish.FailedPrecondition, "closed"):
+            connection.scans()
 
     def test_without_an_address_the_header_leads_there(self):
         edge = self.server(editing_pb2.Moved(node="two"))

@@ -32,6 +32,7 @@ TEST(SqliteJournal, AFileThatIsNoJournalIsDataLoss) {
   const auto journal = SqliteJournal::open(folder / "j.sqlite");
   EXPECT_EQ(journal.status().code(), StatusCode::kDataLoss);
   EXPECT_THAT(journal.status().message(), HasSubstr("j.sqlite"));
+  EXPECT_THAT(journal.status().message(), HasSubstr("backup")) << "the way out";
 }
 
 // The schema of the first released program.
@@ -123,6 +124,7 @@ TEST(SqliteJournal, OfANewerProgramIsRefused) {
   const auto journal = SqliteJournal::open(folder / "j.sqlite");
   EXPECT_EQ(journal.status().code(), StatusCode::kDataLoss);
   EXPECT_THAT(journal.status().message(), HasSubstr("version is 99"));
+  EXPECT_THAT(journal.status().message(), HasSubstr("backup"));
 }
 
 }  // namespace
