@@ -47,6 +47,11 @@ inline const Progress kNoProgress;
 inline constexpr LoopPart kUnheardLoop = {kNoProgress, {}};
 inline constexpr size_t kHeardBlock = 2048;  // a fraction of a millisecond
 
+/// Asks before a loop of all threads, whose blocks may all go to others than the first one.
+inline void ask_before(LoopProgress& loop) {
+  if (!loop.goes_on(0)) leave_cancelled_work();
+}
+
 inline void leave_if_cancelled(const LoopProgress& loop) {
   if (loop.is_cancelled()) leave_cancelled_work();
 }
@@ -69,6 +74,7 @@ void parallel_for_heard(const LoopPart& part, size_t count, const Visit& visit) 
   LoopProgress loop(part.progress, part.phase, part.begin, part.end);
   const auto all = static_cast<double>(count);
   std::atomic<size_t> done{0};
+  ask_before(loop);
 #pragma omp parallel for schedule(dynamic)
   for (size_t begin = 0; begin < count; begin += kHeardBlock) {
     if (!loop.goes_on(static_cast<double>(done) / all)) continue;

@@ -54,6 +54,7 @@ void deal_pieces(const GridMesh& mesh, Dealing& dealing, const Progress& progres
   std::atomic<size_t> done{0};  // blocks
   const auto blocks = static_cast<double>(block_count(mesh));
   ParallelFailure failure;
+  ask_before(loop);
 #pragma omp parallel for schedule(dynamic)
   for (size_t block = 0; block < block_count(mesh); ++block)
     failure.run([&] {

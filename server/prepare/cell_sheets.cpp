@@ -58,6 +58,7 @@ std::vector<std::vector<std::span<const CellPiece>>> find_mixed_pieces(
   const std::vector<size_t> starts = chunks_of_cells(pieces);
   std::vector<std::vector<std::span<const CellPiece>>> found(starts.size() - 1);
   ParallelFailure failure;
+  ask_before(loop);
 #pragma omp parallel for schedule(dynamic)
   for (size_t chunk = 0; chunk < found.size(); ++chunk)
     failure.run([&] {
@@ -126,6 +127,7 @@ void integrate_sheets(const Surface& surface, const Components& components,
         integrate_sheet(surface, components, cell_of_sheet[s]->pieces, found.sheets[s], loop);
   };
   const auto is_large = [&](size_t s) { return cell_of_sheet[s]->pieces.size() > kLargeCell; };
+  ask_before(loop);
 #pragma omp parallel for schedule(dynamic, 64)
   for (size_t s = 0; s < cell_of_sheet.size(); ++s)
     if (!is_large(s)) integrate(s);

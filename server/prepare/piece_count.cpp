@@ -65,6 +65,7 @@ Result<PieceCount> count_cell_pieces(const GridMesh& mesh, uint64_t pieces_max,
   const auto blocks = static_cast<double>(block_count(mesh));
   LoopProgress loop(progress, "grid", 0, kCountedPart);
   ParallelFailure failure;
+  if (!loop.goes_on(0)) return cancelled("cancelled while counting pieces");
 #pragma omp parallel for schedule(dynamic)
   for (size_t block = 0; block < block_count(mesh); ++block) {
     if (total > pieces_max || loop.is_cancelled()) continue;

@@ -99,6 +99,7 @@ ThinWalls find_thin_walls(const Surface& surface, std::span<const CellPiece> pie
   const std::vector<Probe> probes = place_probes(surface.mesh, area);
   std::vector<double> thickness(probes.size());
   LoopProgress loop(part.progress, part.phase, part.begin, part.begin);
+  ask_before(loop);
 #pragma omp parallel for schedule(dynamic)
   for (size_t i = 0; i < probes.size(); ++i)
     if (loop.goes_on(0))

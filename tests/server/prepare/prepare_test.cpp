@@ -115,7 +115,7 @@ TEST(Prepare, ReportsItsPhasesInOrder) {
 
 // Two spheres in each other have sheets, and a radius has averages.
 TEST(Prepare, CanBeCancelledWheneverItReportsAndEachOfItsLoopsDoes) {
-  constexpr int kLoops = 27;
+  constexpr int kLoops = 36;
   const TriangleMesh mesh = reference::joined(make_icosphere(4, 1), make_icosphere(4, 1.01));
   PrepareOptions options = at_depth(6);
   options.curvature_radius = 0.1;
