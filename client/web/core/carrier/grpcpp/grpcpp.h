@@ -15,7 +15,7 @@
 
 namespace grpc {
 
-enum StatusCode { OK = 0, INTERNAL = 13 };
+enum StatusCode { OK = 0, INTERNAL = 13, UNAVAILABLE = 14 };
 
 class Status {
  public:
