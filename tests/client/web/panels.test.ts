@@ -253,6 +253,7 @@ test("OwnersChangeRolesAndOthersSeeThem", () =>
     await visit.page.getByRole("combobox", { name: "Role of mia" }).selectOption("viewer");
     await visit.sent("role mia viewer");
     await visit.document({ role: "viewer" });
+    await visit.page.getByRole("combobox", { name: "Role of mia" }).waitFor({ state: "detached" });
     await visit.page.getByRole("region", { name: "People" }).getByText("editor").waitFor();
     assert.ok(await visit.page.getByRole("button", { name: "Undo" }).isDisabled());
     assert.ok(await slider(visit, "Gradient scale β").isDisabled());
