@@ -84,7 +84,7 @@ BURNISH_SHADE static Surface surface_at(const LightTerms& terms, const ShadeBatc
   const ShadeVector to_eye = unit({batch.eye_x[i], batch.eye_y[i], batch.eye_z[i]});
   ShadeVector n = unit({batch.normal_x[i], batch.normal_y[i], batch.normal_z[i]});
   const float backwards = dot(n, to_eye) * terms.turns_back;
-  const float side = (batch.facing[i] < 0) & (backwards < 0) ? -1.0f : 1.0f;
+  const float side = ((batch.facing[i] < 0) & (backwards < 0)) ? -1.0f : 1.0f;
   n = side * n;
   n = unit(n + greater(shade::kGrazing - dot(n, to_eye), 0) * to_eye);
   const ShadeVector right = unit(cross({0, 1, 0}, to_eye));

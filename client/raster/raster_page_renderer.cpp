@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <string>
-#include <thread>
 
 #include "client/raster/occlusion_rows.h"
 #include "client/raster/page_filler.h"
@@ -16,11 +15,6 @@ namespace {
 
 constexpr int kRowsOfPart = 8;
 
-int thread_count(int wanted) {
-  if (wanted > 0) return wanted;
-  return std::max(static_cast<int>(std::thread::hardware_concurrency()), 1);
-}
-
 void run_rows(WorkCrew& crew, int height, const std::function<void(const RowRange&)>& work) {
   crew.run((height + kRowsOfPart - 1) / kRowsOfPart, [&](int part) {
     work({part * kRowsOfPart, std::min((part + 1) * kRowsOfPart, height)});
@@ -29,7 +23,7 @@ void run_rows(WorkCrew& crew, int height, const std::function<void(const RowRang
 
 }  // namespace
 
-RasterPageRenderer::RasterPageRenderer(int threads) : crew_(thread_count(threads)) {}
+RasterPageRenderer::RasterPageRenderer(int threads) : crew_(threads) {}
 
 void RasterPageRenderer::open(const PageSpace& space) {
   space_ = space;

@@ -1,5 +1,6 @@
 #include "client/raster/work_crew.h"
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <ctime>
@@ -15,6 +16,11 @@ static double processor_seconds() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+static int thread_count(int wanted) {
+  if (wanted > 0) return wanted;
+  return std::max(static_cast<int>(std::thread::hardware_concurrency()), 1);
 }
 
 /// The threads besides the caller's, and the work that they share with it.
@@ -62,10 +68,10 @@ struct WorkCrew::Others {
   }
 };
 
-WorkCrew::WorkCrew(int threads) : threads_(threads) {
-  if (threads <= 1) return;
+WorkCrew::WorkCrew(int threads) : threads_(thread_count(threads)) {
+  if (threads_ == 1) return;
   others_ = std::make_unique<Others>();
-  for (int i = 1; i < threads; ++i) others_->threads.emplace_back([this] { others_->serve(); });
+  for (int i = 1; i < threads_; ++i) others_->threads.emplace_back([this] { others_->serve(); });
 }
 
 WorkCrew::~WorkCrew() = default;

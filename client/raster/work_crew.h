@@ -8,7 +8,7 @@ namespace burnish {
 /// Threads that do the parts of one work at a time. The caller's thread is one of them.
 class WorkCrew {
  public:
-  /// `threads` with the caller's; 1 starts none.
+  /// `threads` with the caller's: 0 takes one for each core, and 1 starts none.
   explicit WorkCrew(int threads);
   ~WorkCrew();
   WorkCrew(const WorkCrew&) = delete;
