@@ -1,5 +1,5 @@
 # Sets BURNISH_WEB to ON or OFF for the rest of the tree: whether to build the editor for browsers.
-# Where it is on, BURNISH_CORE_WASM is its core, compiled from the client's sources.
+# Where it is on, BURNISH_CORE_FOLDER has its cores, compiled from the client's sources.
 
 set(BURNISH_WEB_SOURCES /usr/local/src/burnish CACHE PATH
     "Folder with the sources of libzstd and protobuf: deploy/setup --web fetches them")
@@ -24,13 +24,12 @@ if(BURNISH_WEB STREQUAL "AUTO")
   message(STATUS "Editor for browsers: ${BURNISH_WEB}")
 endif()
 
-# The core is a project of its own, for another compiler; ninja knows its sources.
+# The cores are a project of their own, for another compiler; ninja knows its sources.
 if(BURNISH_WEB)
-  set(core ${PROJECT_BINARY_DIR}/web-core)
-  set(BURNISH_CORE_WASM ${core}/core.wasm)
+  set(BURNISH_CORE_FOLDER ${PROJECT_BINARY_DIR}/web-core)
   add_custom_target(burnish_core_wasm
-    COMMAND ${PROJECT_SOURCE_DIR}/client/web/core/wasm/build ${core} ${BURNISH_WEB_SOURCES} ${BURNISH_WERROR}
-    BYPRODUCTS ${BURNISH_CORE_WASM}
-    COMMENT "Compiling the core for browsers" USES_TERMINAL VERBATIM)
+    COMMAND ${PROJECT_SOURCE_DIR}/client/web/core/wasm/build ${BURNISH_CORE_FOLDER} ${BURNISH_WEB_SOURCES} ${BURNISH_WERROR}
+    BYPRODUCTS ${BURNISH_CORE_FOLDER}/core.wasm ${BURNISH_CORE_FOLDER}/core_raster.wasm
+    COMMENT "Compiling the cores for browsers" USES_TERMINAL VERBATIM)
   add_subdirectory(client/web)
 endif()

@@ -17,6 +17,7 @@ static constexpr milliseconds kSnapshotInterval{50};
 static constexpr milliseconds kIdle{500};    // figures and activities go on without news
 static constexpr milliseconds kFiner{16};    // while the picture becomes finer
 static constexpr milliseconds kDrawing{24};  // while the card draws
+static constexpr milliseconds kRest{100};    // until edges become smooth
 static constexpr std::chrono::seconds kPictureInterval{10};  // nobody tells before a page is closed
 
 Front::Front(PageRenderer& renderer, Preferences preferences, WorkspaceOptions options,
@@ -74,8 +75,8 @@ Front::Time Front::tick(Time now) {
   keep_picture_now_and_then(now);
   const Time snapshot_at = std::min(say_snapshot(now), begun_at_ ? now + kDrawing : Time::max());
   if (!document && workspace_.activities().empty()) return snapshot_at;
-  const bool becomes_finer =
-      document && !begun_at_ && !document->is_picture_settled() && is_visible_;
+  const bool is_final = document && document->is_picture_settled() && shown_.is_smooth;
+  const bool becomes_finer = document && !begun_at_ && !is_final && is_visible_;
   return std::min(snapshot_at, now + (becomes_finer ? kFiner : kIdle));
 }
 
@@ -83,9 +84,41 @@ bool Front::may_draw(Time now) {
   if (!begun_at_) return true;
   if (host_.is_drawing()) return false;
   const auto took = std::chrono::duration<double, std::milli>(now - *begun_at_);
-  workspace_.on_picture(took.count());
+  workspace_.on_picture(took.count(), surface_ms_);
   begun_at_.reset();
   return true;
+}
+
+Front::Shown Front::next_shown() const {
+  Shown next{.begun = workspace_.pictures_begun(),
+             .size = workspace_.viewport.size(),
+             .camera = workspace_.viewport.camera,
+             .is_smooth = shown_.is_smooth};
+  if (const Document* const document = workspace_.document()) {
+    next.changes = document->picture_changes();
+    next.style = workspace_.viewport.style(*document);
+  }
+  return next;
+}
+
+bool Front::is_at_rest(const Shown& next, Time now) const {
+  if (!host_.set_smooth) return true;
+  if (!(next == shown_)) return false;
+  const Document* const document = workspace_.document();
+  const bool is_settled = !document || document->is_picture_settled();
+  return shown_.is_smooth || (is_settled && now - changed_at_ >= kRest);
+}
+
+// Leaves smooth edges to pictures that are saved.
+Status Front::draw_surface(bool is_smooth) {
+  if (!host_.set_smooth) return workspace_.draw();
+  host_.set_smooth(is_smooth);
+  const auto begun = std::chrono::steady_clock::now();
+  Status drawn = workspace_.draw();
+  surface_ms_ =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
+  host_.set_smooth(true);
+  return drawn;
 }
 
 // Draws the surface again if its picture has changed.
@@ -94,18 +127,18 @@ Status Front::draw(Time now) {
   const ImageSize& size = workspace_.viewport.size();
   if (!check_image_size(size).is_ok()) return Status::ok();
   RETURN_IF_ERROR(workspace_.look());
-  Shown next{workspace_.pictures_begun(), 0, size, workspace_.viewport.camera, {}};
-  if (const Document* const document = workspace_.document()) {
-    next.changes = document->picture_changes();
-    next.style = workspace_.viewport.style(*document);
-  }
+  Shown next = next_shown();
+  if (!(next == shown_)) changed_at_ = now;
+  next.is_smooth = is_at_rest(next, now);
   if (next == shown_) return Status::ok();
-  RETURN_IF_ERROR(workspace_.draw());
+  RETURN_IF_ERROR(draw_surface(next.is_smooth));
   shown_ = std::move(next);
   host_.show();
-  // One of the background alone takes no time, and must not hold the surface up.
+  // One of the background alone takes no time, and must not hold the surface up. One at rest says
+  // nothing about the pace of moving ones.
   const Document* const document = workspace_.document();
-  if (document && !document->surface().patches().empty()) begun_at_ = now;
+  const bool has_pace = !host_.set_smooth || !shown_.is_smooth;
+  if (has_pace && document && !document->surface().patches().empty()) begun_at_ = now;
   JsonWriter json;
   json.open().text("kind", "drawn").whole("count", static_cast<int64_t>(++pictures_)).close();
   host_.say(json.written());
@@ -115,6 +148,7 @@ Status Front::draw(Time now) {
 void Front::keep_picture_now_and_then(Time now) {
   const Document* const document = workspace_.document();
   if (!document || !document->is_picture_settled() || !document->is_settled()) return;
+  if (!shown_.is_smooth) return;
   const bool is_new_session = kept_session_ != document->session().id;
   if (kept_picture_ == pictures_ || (!is_new_session && now - kept_at_ < kPictureInterval)) return;
   workspace_.keep_session_picture();

@@ -28,6 +28,9 @@ struct FrontHost {
   std::function<void()> show;
   /// Returns whether the card still draws that picture.
   std::function<bool()> is_drawing;
+  /// Says how smooth edges are from the next picture on, where processors draw. Empty with a card:
+  /// they are always smooth.
+  std::function<void(bool)> set_smooth;
   /// Makes a file known by its name, for Workspace::import_scan().
   std::function<void(const GivenFile&)> give;
   std::function<Result<std::string>(const GivenFile&)> read;
@@ -65,6 +68,7 @@ class Front {
     ImageSize size;
     Camera camera;
     DrawStyle style;
+    bool is_smooth = true;
 
     bool operator==(const Shown&) const = default;
   };
@@ -74,6 +78,11 @@ class Front {
   /// Returns whether the next picture may begin: one after the other, so that none waits in line.
   bool may_draw(Time now);
   Status draw(Time now);
+  Status draw_surface(bool is_smooth);
+  /// Returns what a picture is to show, as smooth as the last one is.
+  Shown next_shown() const;
+  /// Returns whether a picture is to have smooth edges. They cost time, so they are for rest.
+  bool is_at_rest(const Shown& next, Time now) const;
   void keep_picture_now_and_then(Time now);
   /// Returns when to try again; Time::max(): it was said, or has not changed.
   Time say_snapshot(Time now);
@@ -85,9 +94,11 @@ class Front {
   Workspace workspace_;
   bool is_visible_ = true;
   Shown shown_;
+  Time changed_at_{};  // when the picture was to show something else
   uint64_t pictures_ = 0;
-  std::optional<Time> begun_at_;  // of the picture that the card draws
-  uint64_t kept_picture_ = 0;     // the last that was kept for the start page
+  std::optional<Time> begun_at_;      // of the picture that the card draws
+  std::optional<double> surface_ms_;  // how long processors drew it
+  uint64_t kept_picture_ = 0;         // the last that was kept for the start page
   std::string kept_session_;
   Time kept_at_{};
   std::string said_;  // the last snapshot

@@ -102,6 +102,10 @@ void Front::hear(std::string_view json) {
     is_visible_ = flag_in(message, "is");
     if (!is_visible_) workspace_.keep_session_picture();  // the page may be closed now
   }
+  if (kind == "lost") {  // another core goes on
+    is_visible_ = false;
+    workspace_.save_preferences();
+  }
   if (kind == "resize") shown_ = {};  // a canvas of another size is empty
   if (kind == "import") {
     const GivenFile file = file_in(message);

@@ -1,11 +1,11 @@
-// The engine's worker: hosts core.wasm, which has the model, and gives it a canvas, sockets, files and time.
+// The engine's worker: hosts the core, which has the model, and gives it a canvas, sockets, files and time.
 
 import type { StartMessage, ToPage, ToWorker } from "../page/src/protocol";
 import { Calls } from "./calls";
 import type { CoreExports } from "./core_exports";
+import { beginDrawing } from "./drawing";
 import { Entries } from "./entries";
 import { Files } from "./files";
-import { glImports } from "./gl";
 import { CoreMemory } from "./memory";
 import { Pictures } from "./pictures";
 import { Store } from "./store";
@@ -18,8 +18,6 @@ const scope = self as unknown as {
 
 type ResizeMessage = Extract<ToWorker, { kind: "resize" }>;
 
-const kLostContext = "the browser took the graphics context away";
-const kNoContext = "the browser gives the engine no WebGL2 context; Chrome and Edge 69, Firefox 105 and Safari 17 have it in workers";
 const kLinesMax = 4;
 
 /** One core with all that it needs. */
@@ -57,19 +55,18 @@ class Engine {
   /** Loads the core. The page hears of it by the core's first snapshot. */
   async load(): Promise<void> {
     this.setSize(this.start);
-    const gl = this.canvas.getContext("webgl2", { antialias: false, alpha: false, depth: false });
-    if (!gl) throw new Error(kNoContext);
-    this.canvas.addEventListener("webglcontextlost", () => this.stop(kLostContext, true));
+    const drawing = beginDrawing(this.start, this.memory, () => this.lose());
+    if (!drawing) return scope.postMessage({ kind: "noCard" });
     const imports = {
-      host: this.hostImports(),
-      gl: glImports(gl, this.memory),
+      ...drawing.imports,
+      host: { ...this.hostImports(), ...drawing.imports.host },
       wasi_snapshot_preview1: wasi(this.memory, (line) => this.write(line)),
     };
-    const { instance } = await WebAssembly.instantiateStreaming(fetch(this.start.core), imports);
+    const { instance } = await WebAssembly.instantiateStreaming(fetch(drawing.core), imports);
     const exports = instance.exports as unknown as CoreExports;
     this.memory.bind(exports);
     this.entries.bind(exports);
-    const { canvas: _canvas, core: _core, kept: _kept, ...rest } = this.start;
+    const { canvas: _canvas, core: _core, rasterCore: _raster, kept: _kept, ...rest } = this.start;
     this.tell(rest);
     this.pictures.wake();
   }
@@ -85,12 +82,19 @@ class Engine {
     this.pictures.wake();
   }
 
-  stop(message: string, again = false): void {
+  stop(message: string): void {
     this.entries.stop();
     this.pictures.forget();
     this.calls.close();
-    scope.postMessage({ kind: "stopped", message, again });
+    scope.postMessage({ kind: "stopped", message });
     scope.onmessage = null;
+  }
+
+  /** Draws no more, but sends what waits for the server. Another engine goes on. */
+  private lose(): void {
+    this.pictures.setVisible(false);
+    if (isLoaded) this.tell({ kind: "lost" });
+    scope.postMessage({ kind: "lost" });
   }
 
   private setSize({ width, height }: { width: number; height: number }): void {

@@ -1,6 +1,7 @@
 // Small texts that outlive the page. The page keeps them; the worker has a copy.
 
 import { FileReaderSync } from "./files";
+import { imageOf } from "./image";
 import type { CoreMemory } from "./memory";
 
 const kPictureQuality = 0.85; // some 10 kB a picture: a browser keeps 5 MB for a page
@@ -41,13 +42,8 @@ export class Store {
   }
 
   private async keepPicture(key: string, rgb: Uint8Array, width: number, height: number): Promise<void> {
-    const image = new ImageData(width, height);
-    for (let i = 0; i < width * height; ++i) {
-      image.data.set(rgb.subarray(3 * i, 3 * i + 3), 4 * i);
-      image.data[4 * i + 3] = 255;
-    }
     const canvas = new OffscreenCanvas(width, height);
-    canvas.getContext("2d")!.putImageData(image, 0, 0);
+    canvas.getContext("2d")!.putImageData(imageOf(rgb, width, height), 0, 0);
     const blob = await canvas.convertToBlob({ type: "image/jpeg", quality: kPictureQuality });
     this.set(key, new FileReaderSync().readAsDataURL(blob));
   }

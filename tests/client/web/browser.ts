@@ -1,20 +1,40 @@
-// Debian's Chromium, drawing without a graphics card unless BURNISH_ANGLE names another way: gl-egl, vulkan.
+// The browsers of the tests: Debian's.
 
-import { chromium, type Browser } from "playwright-core";
+import { existsSync } from "node:fs";
+import { chromium, firefox, type Browser } from "playwright-core";
+
+/**
+ * `openGl`: Chromium with OpenGL on the processor, unless BURNISH_ANGLE names another way: gl-egl, vulkan.
+ * `plain`: Chromium as it comes, on a machine without a graphics card.
+ * `firefox`: Firefox ESR on such a machine.
+ */
+export type BrowserKind = "openGl" | "plain" | "firefox";
 
 const kAngle = process.env.BURNISH_ANGLE ?? "swiftshader";
+const kSoftware = "--enable-unsafe-swiftshader";
+const kOpenGl = ["--use-gl=angle", `--use-angle=${kAngle}`, kAngle === "swiftshader" ? kSoftware : "--ignore-gpu-blocklist"];
 const kFlags = [
   "--no-sandbox",
-  "--use-gl=angle",
-  `--use-angle=${kAngle}`,
-  kAngle === "swiftshader" ? "--enable-unsafe-swiftshader" : "--ignore-gpu-blocklist",
   "--disable-quic",
   "--disable-background-networking",
   "--disable-component-update",
   "--disable-sync",
 ];
+const kFirefox = process.env.BURNISH_FIREFOX ?? "/usr/bin/firefox-esr";
 
-export function launchBrowser(): Promise<Browser> {
-  const executablePath = process.env.BURNISH_CHROMIUM ?? "/usr/bin/chromium";
-  return chromium.launch({ executablePath, args: kFlags });
+export const hasFirefox = existsSync(kFirefox);
+
+function launchChromium(options: object): Promise<Browser> {
+  return chromium.launch({ executablePath: process.env.BURNISH_CHROMIUM ?? "/usr/bin/chromium", ...options });
+}
+
+export function launchBrowser(kind: BrowserKind = "openGl"): Promise<Browser> {
+  if (kind === "openGl") return launchChromium({ args: [...kFlags, ...kOpenGl] });
+  // The driver of the tests asks for SwiftShader, which Chromium by itself does not take.
+  if (kind === "plain") return launchChromium({ args: [...kFlags, "--disable-gpu"], ignoreDefaultArgs: [kSoftware] });
+  return firefox.launch({
+    executablePath: kFirefox,
+    channel: "moz-firefox",
+    firefoxUserPrefs: { "webgl.disabled": true },
+  });
 }

@@ -44,7 +44,8 @@ scope.onmessage = ({ data }) => {
   if (data.kind === "start") {
     const { canvas, ...rest } = data;
     seen.postMessage({ ...rest, hasCanvas: canvas instanceof OffscreenCanvas });
-    return change({});
+    const isLate = data.kept.list === "late"; // the list comes by an order
+    return change(isLate ? { library: { ...now.library, scans: [], sessions: [] } } : {});
   }
   if (data.kind === "import" || data.kind === "replay")
     return seen.postMessage({ kind: data.kind, name: data.file.name, size: data.file.size });

@@ -31,7 +31,8 @@ const filesOf = (folder: string): string[] =>
 function serve(folder: string): Promise<Server> {
   const files = new Map(filesOf(folder).map((path) => ["/" + relative(folder, path), readFileSync(path)]));
   const server = createServer((request, response) => {
-    const target = request.url === "/" ? "/index.html" : (request.url ?? "");
+    const path = (request.url ?? "").split("?")[0]!;
+    const target = path === "/" ? "/index.html" : path;
     const body = files.get(target);
     const type = kTypes[target.split(".").pop() ?? ""] ?? "application/octet-stream";
     const headers = { "Content-Type": type, "Content-Security-Policy": kPolicy, "X-Content-Type-Options": "nosniff" };

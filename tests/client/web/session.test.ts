@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { Bench } from "./harness";
+import { Bench, type Visit } from "./harness";
+import { library } from "./sample";
 
 const bench = new Bench();
 before(() => bench.start());
@@ -148,26 +149,72 @@ test("MenuExportsRecordsReplaysAndCloses", () =>
     await visit.page.getByRole("heading", { name: "Recent" }).waitFor();
   }));
 
-test("EngineThatLostItsContextStartsAgainAndOpensTheSession", () =>
+/** Lets the engine lose its context, and returns how the next one is started. */
+async function lose(visit: Visit) {
+  await visit.forget();
+  await visit.order({ post: { kind: "lost" } });
+  return visit.message("start");
+}
+
+test("EngineThatLostItsContextIsReplacedWithinTheSession", () =>
   bench.visitSession(async (visit) => {
-    await visit.forget();
-    await visit.order({ post: { kind: "stopped", message: "the context was taken", again: true } });
-    await visit.message("start");
+    await visit.page.evaluate(() => {
+      const left = () => !document.querySelector(".session") && window.seen.push({ kind: "left" });
+      new MutationObserver(left).observe(document.body, { childList: true, subtree: true, attributes: true });
+    });
+    const start = await lose(visit);
+    assert.equal(start.hasCanvas, true);
     await visit.sent("session join s1");
     await visit.page.getByRole("region", { name: "Filter" }).waitFor();
+    await visit.page.getByRole("checkbox", { name: "Wireframe" }).click();
+    await visit.sent("wireframe on");
+    assert.deepEqual((await visit.seen()).filter((one) => one.kind === "left"), []);
+  }));
+
+test("EngineThatLostItsContextSendsItsEditsFirst", () =>
+  bench.visitSession(async (visit) => {
+    await visit.document({ unsavedEdits: 2 });
+    await visit.forget();
+    await visit.order({ post: { kind: "lost" } });
+    await visit.document({ unsavedEdits: 1, session: "still there" });
+    await visit.page.waitForFunction(() => document.title.startsWith("still there"));
+    assert.deepEqual((await visit.seen()).filter((one) => one.kind === "start"), []);
+    await visit.document({ unsavedEdits: 0 });
+    await visit.message("start");
+  }));
+
+test("NextEngineOpensTheSessionWhenItHasTheList", () =>
+  bench.visitSession(async (visit) => {
+    await visit.order({ post: { kind: "keep", key: "list", text: "late" } });
+    await visit.page.waitForFunction(() => localStorage.getItem("burnish.kept.list") === "late");
+    await lose(visit);
+    await visit.change({ recording: false });
+    assert.deepEqual(await visit.lines(), []);
+    await visit.change({ library });
+    await visit.sent("session join s1");
+  }));
+
+test("EngineThatLosesContextsAgainAndAgainIsReplacedByOneWithoutACard", () =>
+  bench.visitSession(async (visit) => {
+    for (let i = 0; i < 3; ++i) assert.equal((await lose(visit)).pictures, "best");
+    assert.equal((await lose(visit)).pictures, "processor");
     assert.equal(await visit.page.getByRole("dialog").count(), 0);
   }));
 
-test("EngineThatStopsAgainAndAgainIsTold", () =>
+test("EngineThatFindsNoCardIsReplacedByOneOfTheProcessor", () =>
   bench.visitSession(async (visit) => {
-    const stop = { post: { kind: "stopped", message: "the context was taken", again: true } } as const;
-    for (let i = 0; i < 3; ++i) {
-      await visit.forget();
-      await visit.order(stop);
-      await visit.message("start");
+    await visit.forget();
+    await visit.order({ post: { kind: "noCard" } });
+    assert.equal((await visit.message("start")).pictures, "processor");
+    await visit.sent("session join s1");
+  }));
+
+test("AddressOfThePageChoosesWhoDraws", () =>
+  bench.visit(async (visit) => {
+    for (const [query, pictures] of [["card", "card"], ["processor", "processor"], ["else", "best"]] as const) {
+      await visit.page.goto(new URL(`/?pictures=${query}`, visit.page.url()).href);
+      assert.equal((await visit.message("start")).pictures, pictures);
     }
-    await visit.order(stop);
-    await visit.page.getByRole("dialog", { name: "The engine has stopped" }).waitFor();
   }));
 
 test("KeptTextsAreGivenToTheNextEngine", () =>
@@ -178,6 +225,7 @@ test("KeptTextsAreGivenToTheNextEngine", () =>
     const start = await visit.message("start");
     assert.deepEqual(start.kept, { view: "front" });
     assert.match(String(start.core), /^http:.*\/assets\/core\.wasm$/);
+    assert.match(String(start.rasterCore), /^http:.*\/assets\/core_raster\.wasm$/);
   }));
 
 test("DownloadHasItsName", () =>

@@ -10,13 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "client/gl/capabilities.h"
-#include "client/gl/fence.h"
-#include "client/gl/gl_page_renderer.h"
 #include "client/model/preferences.h"
 #include "client/web/core/front.h"
 #include "client/web/core/host/calls.h"
 #include "client/web/core/host/clockwork.h"
+#include "client/web/core/host/drawing.h"
 #include "client/web/core/host/exports.h"
 #include "client/web/core/host/imports.h"
 #include "client/web/core/host/page_files.h"
@@ -59,14 +57,10 @@ void wait_for_picture(std::chrono::milliseconds) {
   wait_on_stack();
 }
 
-FrontHost make_host(GlPageRenderer& renderer, Fence& shown) {
+/// Returns a host that shows no pictures yet.
+FrontHost make_host() {
   FrontHost host;
   host.say = [](const std::string& json) { host_say(json.data(), json.size()); };
-  host.show = [&renderer, &shown] {
-    renderer.show({0, 0});
-    shown.put();
-  };
-  host.is_drawing = [&shown] { return !shown.is_reached(); };
   host.give = [](const GivenFile& file) {
     add_page_file(file.name, {file.handle, file.size_bytes});
   };
@@ -90,8 +84,7 @@ FrontHost make_host(GlPageRenderer& renderer, Fence& shown) {
 
 /// The renderer and the front, once the page has said `start`.
 struct Page {
-  std::unique_ptr<GlPageRenderer> renderer;
-  Fence shown;  ///< behind the last picture
+  std::unique_ptr<PageRenderer> renderer;
   std::unique_ptr<Front> front;
 };
 
@@ -100,25 +93,16 @@ Page& page() {
   return *the;
 }
 
-/// A browser's page has less memory than a program.
-PageBudget page_budget(const Capabilities& card) {
-  PageBudget budget = card.is_software ? software_budget() : PageBudget();
-  budget.resident_bytes = budget.card_bytes = 200'000'000;
-  return budget;
-}
-
 Status begin_page() {
-  ASSIGN_OR_RETURN(page().renderer, GlPageRenderer::create());
+  FrontHost host = make_host();
   WorkspaceOptions options;
+  ASSIGN_OR_RETURN(page().renderer, begin_drawing(host, options));
   options.preferences = "window.toml";
-  const Capabilities card = card_capabilities();
-  options.is_software = card.is_software;
-  options.budget = page_budget(card);
   options.wake = host_wake;
   auto preferences = read_preferences(options.preferences);
   page().front = std::make_unique<Front>(
       *page().renderer, preferences.is_ok() ? std::move(*preferences) : Preferences(),
-      std::move(options), make_host(*page().renderer, page().shown));
+      std::move(options), std::move(host));
   return Status::ok();
 }
 

@@ -11,6 +11,8 @@ extern "C" {
 
 /// Says a message of client/web/page/src/protocol.ts as JSON.
 void host_say(const char* text, size_t bytes) BURNISH_IMPORT(say);
+/// Shows a picture in the canvas, rows from above. Only for the core that draws with the processor.
+void host_show_picture(const uint8_t* rgb, int width, int height) BURNISH_IMPORT(show_picture);
 /// Has core_tick() called with the next picture.
 void host_wake() BURNISH_IMPORT(wake);
 

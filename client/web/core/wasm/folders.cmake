@@ -70,22 +70,36 @@ core_folder(client/model EXCEPT beside connection_form detached_program file_bro
   leaving letters lighting_toml native_dialog preferences private_folder private_server raw_scan
   recorder_file scan_files session_picture_files tasks typed_path user_socket view_state)
 core_folder(client/script EXCEPT lone_script)
-core_folder(client/gl EXCEPT context_egl)
 core_folder(client/web/core)
 core_folder(client/web/core/carrier)
 core_folder(client/web/core/host)
 core_folder(client/web/core/libraries)
+get_property(shared GLOBAL PROPERTY core_folders)
 
-get_property(folders GLOBAL PROPERTY core_folders)
-list(TRANSFORM folders REPLACE "(.+)" "$<TARGET_OBJECTS:\\1>" OUTPUT_VARIABLE objects)
-add_executable(core ${objects} $<TARGET_OBJECTS:proto> $<TARGET_OBJECTS:protobuf> $<TARGET_OBJECTS:zstd>)
-set_target_properties(core PROPERTIES SUFFIX .wasm LINKER_LANGUAGE CXX)
-target_link_options(core PRIVATE ${BURNISH_WEB_FLAGS} -mexec-model=reactor
-  -Wl,--gc-sections,--strip-all,--export=__stack_pointer,--stack-first,-z,stack-size=1048576)
+# core_program(NAME FOLDER...): a core that draws with these folders.
+function(core_program name)
+  list(TRANSFORM shared REPLACE "(.+)" "$<TARGET_OBJECTS:\\1>" OUTPUT_VARIABLE objects)
+  string(REPLACE / _ drawing "${ARGN}")
+  list(TRANSFORM drawing REPLACE "(.+)" "$<TARGET_OBJECTS:\\1>")
+  add_executable(${name} ${objects} ${drawing} $<TARGET_OBJECTS:proto> $<TARGET_OBJECTS:protobuf> $<TARGET_OBJECTS:zstd>)
+  set_target_properties(${name} PROPERTIES SUFFIX .wasm LINKER_LANGUAGE CXX)
+  target_link_options(${name} PRIVATE ${BURNISH_WEB_FLAGS} -mexec-model=reactor
+    -Wl,--gc-sections,--strip-all,--export=__stack_pointer,--stack-first,-z,stack-size=1048576)
+endfunction()
+
+core_folder(client/gl EXCEPT context_egl)
+core_folder(client/web/core/card)
+core_program(core client/gl client/web/core/card)
+# Every browser with JSPI has registers of four numbers.
+core_folder(client/raster SPEED -O2 EXCEPT work_crew)
+target_compile_options(client_raster PRIVATE -msimd128)
+core_folder(client/web/core/raster)
+core_program(core_raster client/raster client/web/core/raster)
 
 # For tests under Node: the code of the core that reads what others have written, without a page.
 file(GLOB checks ${root}/tests/client/web/core/wasm/checks.cpp ${root}/tests/client/web/core/wasm/exports.cpp)
-list(FILTER objects EXCLUDE REGEX "client_(connection|gl|model|script|web_core(_host|_carrier)?)>")
+list(FILTER shared EXCLUDE REGEX "^client_(connection|model|script|web_core(_host|_carrier)?)$")
+list(TRANSFORM shared REPLACE "(.+)" "$<TARGET_OBJECTS:\\1>" OUTPUT_VARIABLE objects)
 add_executable(checks EXCLUDE_FROM_ALL ${checks} ${objects} $<TARGET_OBJECTS:protobuf>)
 set_target_properties(checks PROPERTIES SUFFIX .wasm)
 core_options(checks)

@@ -2,7 +2,7 @@
 
 import { command } from "./commands";
 import type { Message, Snapshot } from "./snapshot";
-import type { PointerMessage, ToPage, ToWorker } from "./protocol";
+import type { Pictures, PointerMessage, ToPage, ToWorker } from "./protocol";
 
 /** A Worker, or what stands for one in tests. */
 export interface EnginePort {
@@ -27,7 +27,14 @@ const kRefusalsMax = 5;
 const kUser = "burnish.user";
 const kToken = "burnish.token";
 const kKept = "burnish.kept.";
-const kRestartsMax = 3; // without a picture between them
+const kLossesMax = 3; // of graphics contexts: then the card is left alone until the page is loaded again
+
+/** Addresses of what an engine loads, and who draws. */
+export interface EngineParts {
+  core: string;
+  rasterCore: string;
+  pictures: Pictures;
+}
 
 /** Keeps the state, and talks with one worker at a time. */
 export class EngineLink {
@@ -35,14 +42,15 @@ export class EngineLink {
   onchange: () => void = () => {};
   private port: EnginePort | null = null;
   private refused = 0;
-  private restarts = 0;
-  /** The session that an engine which starts again opens. */
-  private lastSession = "";
+  private losses = 0;
+  private isLost = false;
+  /** The session that the next engine opens; empty: none, or it is open. */
+  private wanted = "";
+  private isJoining = false;
 
-  /** `core` is the address of core.wasm. */
   constructor(
     private readonly makePort: () => EnginePort,
-    private readonly core: string,
+    private readonly parts: EngineParts,
   ) {}
 
   /** Hears what other pages of this browser keep, so that none overwrites it. Returns a function that stops. */
@@ -65,15 +73,30 @@ export class EngineLink {
     const user = sessionStorage.getItem(kUser) ?? "";
     const token = sessionStorage.getItem(kToken) ?? "";
     const size = { width, height, pixelRatio: devicePixelRatio };
-    const { core } = this;
+    const address = location.origin;
     port.postMessage(
-      { kind: "start", canvas: offscreen, ...size, address: location.origin, user, token, core, kept: keptTexts() },
+      { kind: "start", canvas: offscreen, ...size, address, user, token, ...this.parts, kept: keptTexts() },
       [offscreen],
     );
   }
 
   startAgain(): void {
     this.change({ stopped: "", snapshot: null, starts: this.state.starts + 1 });
+  }
+
+  /** Lets another engine go on in the session. The panels stay, as those of a session that connects. */
+  private goOn(): void {
+    this.leaveEngine();
+    const { snapshot, starts } = this.state;
+    const document = snapshot?.document && { ...snapshot.document, link: "connecting" as const };
+    this.change({ snapshot: snapshot && { ...snapshot, document: document ?? null }, starts: starts + 1 });
+  }
+
+  private leaveEngine(): void {
+    this.port?.terminate();
+    this.port = null;
+    this.wanted = this.state.snapshot?.document?.sessionId ?? this.wanted;
+    this.isJoining = this.isLost = false;
   }
 
   send(line: string): void {
@@ -120,8 +143,9 @@ export class EngineLink {
     if (message.kind === "answer") this.refuse(message.message);
     if (message.kind === "download") download(message.name, message.blob);
     if (message.kind === "keep") this.keep(message.key, message.text);
-    if (message.kind === "drawn") this.restarts = 0;
-    if (message.kind === "stopped") this.stop(message.message, message.again);
+    if (message.kind === "stopped") this.stop(message.message);
+    if (message.kind === "noCard") this.leaveCard();
+    if (message.kind === "lost") this.lose();
   }
 
   /** Returns a text that an engine has kept; empty: none. */
@@ -140,19 +164,43 @@ export class EngineLink {
   }
 
   private show(snapshot: Snapshot): void {
-    if (this.lastSession && snapshot.library.state === "connected" && !snapshot.document) {
-      this.send(command.joinSession(this.lastSession));
-      this.lastSession = "";
-    }
+    if (snapshot.document) this.wanted = "";
+    else if (this.wanted && this.awaitsSession(snapshot)) return;
     this.change({ snapshot });
+    if (this.isLost) this.goOnWhenSent();
   }
 
-  private stop(message: string, again = false): void {
-    this.port?.terminate();
-    this.port = null;
-    this.lastSession = this.state.snapshot?.document?.sessionId ?? "";
-    if (again && ++this.restarts <= kRestartsMax) return this.startAgain();
+  /** Opens the wanted session once the list has it. Returns whether it may still come. */
+  private awaitsSession({ library, activities }: Snapshot): boolean {
+    if (library.state === "failed") return false;
+    if (library.sessions.length === 0) return true; // the list comes after the connection
+    if (this.isJoining) return activities.length > 0;
+    this.isJoining = library.sessions.some((one) => one.id === this.wanted);
+    if (this.isJoining) this.send(command.joinSession(this.wanted));
+    else this.wanted = "";
+    return this.isJoining;
+  }
+
+  private stop(message: string): void {
+    this.leaveEngine();
     this.change({ stopped: message });
+  }
+
+  /** Leaves the graphics card alone from now on. */
+  private leaveCard(): void {
+    this.parts.pictures = "processor";
+    this.goOn();
+  }
+
+  private lose(): void {
+    this.isLost = true;
+    if (++this.losses > kLossesMax) this.parts.pictures = "processor";
+    this.goOnWhenSent();
+  }
+
+  /** The old engine alone has the edits that wait for the server. */
+  private goOnWhenSent(): void {
+    if (!this.state.snapshot?.document?.unsavedEdits) this.goOn();
   }
 
   private change(change: Partial<PageState>): void {

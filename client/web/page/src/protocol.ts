@@ -25,6 +25,8 @@ export interface PointerMessage {
   delta: number;
 }
 
+export type Pictures = "best" | "card" | "processor";
+
 /** Begins, or begins again after `stopped`. Sent once with each canvas. */
 export interface StartMessage {
   kind: "start";
@@ -38,8 +40,11 @@ export interface StartMessage {
   /** Empty if the user has given none. */
   user: string;
   token: string;
-  /** Address of core.wasm. */
+  /** Addresses of core.wasm, which draws with the graphics card, and core_raster.wasm, which needs none. */
   core: string;
+  rasterCore: string;
+  /** Who draws. `best`: the card if there is one. */
+  pictures: Pictures;
   /** What `keep` messages of earlier engines said. */
   kept: Record<string, string>;
 }
@@ -67,8 +72,12 @@ export type ToPage =
   | { kind: "answer"; line: string; message: string }
   /** A file that the user asked for: an export, a picture or a script. */
   | { kind: "download"; name: string; blob: Blob }
-  /** The engine has stopped and answers no more. `again`: another one will do, e.g. for a lost graphics context. */
-  | { kind: "stopped"; message: string; again?: boolean }
+  /** The engine has stopped and answers no more. */
+  | { kind: "stopped"; message: string }
+  /** The browser took the graphics context away. This engine draws no more, but sends its edits. */
+  | { kind: "lost" }
+  /** There is no graphics card, as the engine knows now. An engine with `processor` can draw in another canvas. */
+  | { kind: "noCard" }
   /** A small text that outlives the page. */
   | { kind: "keep"; key: string; text: string }
   /** Pictures drawn so far. */

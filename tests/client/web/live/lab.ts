@@ -6,7 +6,8 @@ import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Browser, BrowserContextOptions, Page } from "playwright-core";
-import { launchBrowser } from "../browser";
+import type { Pictures } from "../../../../client/web/page/src/protocol";
+import { launchBrowser, type BrowserKind } from "../browser";
 
 const kBin = process.env.BURNISH_BIN;
 const kPatienceMs = 60_000;
@@ -198,13 +199,18 @@ export class Visit {
   }
 }
 
-/** What the tests of a file share. */
+/** What the tests of a file share. OpenGL draws, unless they ask for another way. */
 export class Lab {
   readonly folder = mkdtempSync(join(tmpdir(), "burnish-web-"));
   private server: Server | null = null;
   private browser: Browser | null = null;
   private page = "";
   private flags: string[] = [];
+
+  constructor(
+    private readonly pictures: Pictures = "card",
+    private readonly kind: BrowserKind = "openGl",
+  ) {}
 
   /** Starts with a scan, "tablet", and these flags of the server. */
   async start(flags: string[] = []): Promise<void> {
@@ -216,7 +222,7 @@ export class Lab {
   /** Starts without a server of its own: the page is at this address. */
   async begin(address: string): Promise<void> {
     this.page = address;
-    this.browser = await launchBrowser();
+    this.browser = await launchBrowser(this.kind);
   }
 
   async stop(): Promise<void> {
@@ -236,7 +242,7 @@ export class Lab {
 
   path = (name: string) => join(this.folder, name);
   bytes = (name: string) => readFileSync(this.path(name));
-  address = () => this.page;
+  address = () => `${this.page}/?pictures=${this.pictures}`;
 
   /** Runs the command line without a server. */
   run(...words: string[]): Promise<string> {

@@ -3,14 +3,15 @@ import { writeFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { Lab, difference } from "./lab";
 
-const lab = new Lab();
-before(async () => {
+const labs = { card: new Lab("card"), processor: new Lab("best", "plain") };
+const prepare = async (lab: Lab) => {
   await lab.start();
   await lab.importTablet();
   await lab.ask("open", "tablet", "--session", "shown");
   await lab.ask("edit", "shown", "--beta", "0.5");
-});
-after(() => lab.stop());
+};
+before(() => Promise.all(Object.values(labs).map(prepare)));
+after(() => Promise.all(Object.values(labs).map((lab) => lab.stop())));
 
 /** Lines that lead to a picture, and how far it may be from the window's: mean and 99th percentile, of 255. */
 const kViews: [name: string, lines: string[], mean: number, most: number][] = [
@@ -26,7 +27,7 @@ const kViews: [name: string, lines: string[], mean: number, most: number][] = [
   ["occlusion", ["occlusion 1"], 1.5, 12],
 ];
 
-test("PicturesAreThoseOfTheWindow", () =>
+const arePicturesOfTheWindow = (lab: Lab) =>
   lab.visit(async (visit) => {
     await visit.join("shown");
     const wrong: string[] = [];
@@ -43,4 +44,7 @@ test("PicturesAreThoseOfTheWindow", () =>
       await visit.replay([...undo.filter((line) => / off$/.test(line)), "light clay", "occlusion 0", "colour clay"]);
     }
     assert.deepEqual(wrong, []);
-  }));
+  });
+
+test("PicturesOfOpenGlAreThoseOfTheWindow", () => arePicturesOfTheWindow(labs.card));
+test("PicturesOfTheProcessorAreThoseOfTheWindow", () => arePicturesOfTheWindow(labs.processor));
