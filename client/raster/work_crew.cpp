@@ -11,7 +11,7 @@
 
 namespace burnish {
 
-// Of the calling thread.
+// Returns how long the calling thread has run.
 static double processor_seconds() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);

@@ -30,7 +30,7 @@ class WorkCancelled : public std::exception {
 #endif
 }
 
-/// Whom a loop tells how far it is, and which part of a phase it is.
+/// The listener of a loop, and the part of a phase that the loop is.
 struct LoopPart {
   const Progress& progress;
   std::string_view phase;
