@@ -6,6 +6,8 @@
 #include <functional>
 #include <tuple>
 
+#include "common/base/heard_groups.h"
+
 namespace burnish {
 namespace {
 
@@ -27,7 +29,6 @@ uint32_t hash_of(const Vec3d& position) {
 
 /// Vertices of a bucket. Its bounds then fit into a core's cache.
 constexpr size_t kVerticesPerBucket = 16;
-constexpr size_t kLargeBucket = 1 << 14;  // sorting it takes about a millisecond
 
 /// Vertices with their hashes above them, by buckets of hashes.
 struct Buckets {
@@ -93,26 +94,13 @@ bool have_joins(const ScratchArray<uint32_t>& least) {
 
 }  // namespace
 
-// A file may have all its vertices at one place. The calling thread sorts such a bucket, because it
-// alone hears a cancel.
 ScratchArray<uint32_t> least_at_places(std::span<const Vec3d> vertices, const ScratchSpace& space,
                                        const LoopPart& part) {
   Buckets buckets = make_buckets(vertices, space, part.of(0, 0.4));
   ScratchArray<uint32_t> least(space, vertices.size());
-  const auto is_large = [&](size_t b) { return buckets[b].size() > kLargeBucket; };
-  parallel_for_heard(part.of(0.4, 0.9), buckets.count(), [&](size_t b) {
-    const auto sort = [](std::span<uint64_t> some, const auto& less) {
-      std::sort(some.begin(), some.end(), less);
-    };
-    if (!is_large(b)) find_least_in_bucket(vertices, buckets[b], least, sort);
-  });
-  const LoopPart rest = part.of(0.9, 1);
-  for (size_t b = 0; b < buckets.count(); ++b) {
-    const auto sort = [&](std::span<uint64_t> many, const auto& less) {
-      sort_heard(rest, many.begin(), many.end(), less);
-    };
-    if (is_large(b)) find_least_in_bucket(vertices, buckets[b], least, sort);
-  }
+  for_each_group_heard(
+      part.of(0.4, 1), buckets.count(), [&](size_t b) { return buckets[b].size(); },
+      [&](size_t b, const auto& sort) { find_least_in_bucket(vertices, buckets[b], least, sort); });
   return least;
 }
 

@@ -7,25 +7,28 @@
 #include <span>
 #include <vector>
 
+#include "common/base/heard_groups.h"
 #include "common/base/scratch_array.h"
 #include "common/mesh/components.h"
 #include "common/mesh/heard_statistics.h"
 #include "common/mesh/joined_mesh.h"
+#include "common/mesh/surface_triangles.h"
 
 namespace burnish {
 namespace {
 
-/// Calls visit(a, b) once for each edge of the triangle. A triangle has three edges, one if it
-/// repeats a vertex, none if all three vertices are the same.
+/// Calls visit(lower, upper) for each edge of the surface.
 template <typename Visit>
-void for_each_edge(const Triangle& triangle, const Visit& visit) {
-  const auto& [a, b, c] = triangle;
-  if (a != b) visit(a, b);
-  if (b != c && c != a) visit(b, c);
-  if (c != a && a != b && b != c) visit(c, a);
+void for_each_edge(const LoopPart& part, std::span<const Triangle> triangles,
+                   const SurfaceTriangles& surface, const Visit& visit) {
+  for_each_heard(part, triangles.size(), [&](size_t t) {
+    if (!surface[t]) return;
+    const auto& [a, b, c] = triangles[t];
+    visit(std::min(a, b), std::max(a, b));
+    visit(std::min(b, c), std::max(b, c));
+    visit(std::min(c, a), std::max(c, a));
+  });
 }
-
-constexpr size_t kLargeGroup = 1 << 14;  // sorting it takes about a millisecond
 
 /// The edges of all triangles: upper ends, grouped by lower end and sorted in each group.
 struct EdgeEnds {
@@ -33,40 +36,31 @@ struct EdgeEnds {
   ScratchArray<uint32_t> upper;
 };
 
-// A fan has all its edges in one group. The calling thread sorts it, because it alone hears a
-// cancel.
 void sort_groups(EdgeEnds& edges, const LoopPart& part) {
   const auto group = [&](size_t v) {
     return std::span(edges.upper.begin() + edges.first[v],
                      edges.upper.begin() + edges.first[v + 1]);
   };
-  const size_t groups = edges.first.size() - 1;
-  parallel_for_heard(part.of(0, 0.9), groups, [&](size_t v) {
-    if (group(v).size() <= kLargeGroup) std::ranges::sort(group(v));
-  });
-  for (size_t v = 0; v < groups; ++v)
-    if (group(v).size() > kLargeGroup)
-      sort_heard(part.of(0.9, 1), group(v).begin(), group(v).end(), std::less<>());
+  for_each_group_heard(
+      part, edges.first.size() - 1, [&](size_t v) { return group(v).size(); },
+      [&](size_t v, const auto& sort) { sort(group(v), std::less<>()); });
 }
 
 EdgeEnds collect_edges(const MeshView& mesh, const ScratchSpace& space, const LoopPart& part) {
+  const SurfaceTriangles surface({mesh.triangles, {}}, mesh.vertices.size(), space,
+                                 part.of(0, 0.4));
   EdgeEnds edges;
   edges.first = ScratchArray<uint64_t>(space, mesh.vertices.size() + 1);
-  for_each_heard(part.of(0, 0.2), mesh.triangles.size(), [&](size_t t) {
-    for_each_edge(mesh.triangles[t],
-                  [&](uint32_t a, uint32_t b) { ++edges.first[std::min(a, b)]; });
-  });
+  for_each_edge(part.of(0.4, 0.5), mesh.triangles, surface,
+                [&](uint32_t lower, uint32_t) { ++edges.first[lower]; });
   std::exclusive_scan(edges.first.begin(), edges.first.end(), edges.first.begin(), uint64_t{0});
   edges.upper = ScratchArray<uint32_t>(space, edges.first.back());
-  for_each_heard(part.of(0.2, 0.5), mesh.triangles.size(), [&](size_t t) {
-    for_each_edge(mesh.triangles[t], [&](uint32_t a, uint32_t b) {
-      edges.upper[edges.first[std::min(a, b)]++] = std::max(a, b);
-    });
-  });
+  for_each_edge(part.of(0.5, 0.7), mesh.triangles, surface,
+                [&](uint32_t lower, uint32_t upper) { edges.upper[edges.first[lower]++] = upper; });
   // Each entry is now at its group's end, where the next group starts.
   std::rotate(edges.first.begin(), edges.first.end() - 1, edges.first.end());
   edges.first[0] = 0;
-  sort_groups(edges, part.of(0.5, 1));
+  sort_groups(edges, part.of(0.7, 1));
   return edges;
 }
 

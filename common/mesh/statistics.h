@@ -9,8 +9,8 @@
 namespace burnish {
 
 /// Facts that a user wants to know about a scan before editing it. An edge is an unordered pair of
-/// places of vertices: seams of textures are no boundary. A triangle with two vertices at one place
-/// adds area 0 and its one remaining edge.
+/// places of vertices: seams of textures are no boundary. Triangles with two vertices at one place have
+/// none, and copies of a triangle none besides its own (see SurfaceTriangles).
 struct MeshStatistics {
   uint64_t vertices = 0;
   uint64_t triangles = 0;
@@ -30,7 +30,7 @@ struct MeshStatistics {
   double diagonal() const { return (box_max - box_min).norm(); }
 };
 
-/// Needs: a valid mesh, and the same mesh joined. Cost: near linear time; scratch of 12 bytes per
+/// Needs: a valid mesh, and the same mesh joined. Cost: near linear time; scratch of 13 bytes per
 /// triangle and 8 per vertex, which lies in `space`.
 MeshStatistics compute_statistics(const MeshView& mesh, const MeshView& joined,
                                   const ScratchSpace& space);

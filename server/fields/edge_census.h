@@ -14,8 +14,8 @@ struct RimEdge {
   uint32_t from, to;
 };
 
-/// The edges of a mesh whose vertices at one place count as one: seams of textures and soups of
-/// triangles hang together there.
+/// The edges of a surface (see SurfaceTriangles). Vertices at one place count as one: seams of
+/// textures and soups of triangles hang together there.
 struct EdgeCensus {
   bool is_closed = false;        ///< each edge is passed as often one way as the other
   std::vector<RimEdge> rims;     ///< edges of exactly one triangle, by their lesser end

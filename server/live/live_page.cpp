@@ -14,11 +14,21 @@ uint64_t mixed(uint64_t vertex) {
   return (vertex ^ vertex >> 29) * 0xbf58476d1ce4e5b9;
 }
 
+// Returns the triangles with rising corners, and each of several copies once: they are no other
+// surface (common/mesh/surface_triangles.h).
+std::vector<PageTriangle> surface_of(const Page& page) {
+  std::vector<PageTriangle> triangles = page.triangles;
+  for (PageTriangle& triangle : triangles) std::ranges::sort(triangle);
+  std::ranges::sort(triangles);
+  triangles.erase(std::ranges::unique(triangles).begin(), triangles.end());
+  return triangles;
+}
+
 // Returns the vertices that other pages have as well, and those whose triangles leave a gap: an
 // edge of two triangles cancels at both ends, that of a rim does not.
 std::vector<uint16_t> vertices_at_edges(const Page& page) {
   std::vector<uint64_t> uncancelled(page.positions.size(), 0);
-  for (const PageTriangle& t : page.triangles)
+  for (const PageTriangle& t : surface_of(page))
     for (int corner = 0; corner < 3; ++corner)
       uncancelled[t[corner]] ^= mixed(t[(corner + 1) % 3]) ^ mixed(t[(corner + 2) % 3]);
   std::vector<uint16_t> found;

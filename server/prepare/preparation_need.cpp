@@ -28,7 +28,7 @@ uint64_t scan_bytes(const PreparationCounts& n) {
 
 // For collect_edges() and count_vertices().
 uint64_t statistics_bytes(const PreparationCounts& n) {
-  return n.vertices * 8 + n.triangles * 12;
+  return n.vertices * 8 + n.triangles * 13;
 }
 
 // For MeshCurvature: triangles around vertices, tensors of both, normals, areas.

@@ -21,17 +21,18 @@ import cases
 import checks
 import fronts
 
-KINDS = ("tablet", "coloured", "icosphere", "cylinder", "sheet", "blob", "sheets", "fan", "soup", "part", "wall")
-SHORT_KINDS = ("coloured", "blob", "soup")
+KINDS = ("tablet", "coloured", "icosphere", "cylinder", "sheet", "doubled", "flaps", "blob", "sheets", "fan",
+         "soup", "part", "wall")
+SHORT_KINDS = ("coloured", "doubled", "blob", "soup")
 
 
 def generated(kinds, vertices, folder):
     for kind in kinds:
         file = folder / f"{kind}.ply"
-        fronts.run("generate", "tablet" if kind == "coloured" else kind, file,
-                   "--vertices", vertices)
-        if kind == "coloured":
-            colour(file)
+        plain, change = CHANGED.get(kind, (kind, None))
+        fronts.run("generate", plain, file, "--vertices", vertices)
+        if change:
+            change(file)
         yield file
 
 
@@ -47,6 +48,28 @@ def colour(file):
                                        b"property uchar blue\n")
     faces = faces[mesh.vertices.nbytes:]
     file.write_bytes(head + b"end_header\n" + vertices.tobytes() + faces)
+
+
+def double(file):
+    """Lists every third triangle again, every other time turned."""
+    mesh = burnish.load_ply(file)
+    again = mesh.faces[::3].copy()
+    again[::2] = again[::2, ::-1]
+    file.write_bytes(burnish.Mesh(mesh.vertices, np.concatenate([mesh.faces, again])).to_ply())
+
+
+def add_flaps(file):
+    """Adds a triangle without area to every edge: it ends where it began, or beside a copy."""
+    mesh = burnish.load_ply(file)
+    edges = np.concatenate([mesh.faces[:, [a, b]] for a, b in ((0, 1), (1, 2), (2, 0))])
+    ends = edges[:, 0].copy()
+    ends[::2] = len(mesh.vertices) + np.arange(len(ends[::2]))
+    vertices = np.concatenate([mesh.vertices, mesh.vertices[edges[::2, 0]]])
+    flaps = np.column_stack([edges, ends]).astype(mesh.faces.dtype)
+    file.write_bytes(burnish.Mesh(vertices, np.concatenate([mesh.faces, flaps])).to_ply())
+
+
+CHANGED = {"coloured": ("tablet", colour), "doubled": ("tablet", double), "flaps": ("sheet", add_flaps)}
 
 
 class Table:

@@ -17,7 +17,7 @@ class Facts:
     file: pathlib.Path
     mesh: burnish.Mesh
     diagonal: float
-    rim: np.ndarray  # vertices of edges of exactly one triangle, by place
+    rim: np.ndarray  # vertices of the surface's edges of exactly one triangle, by place
     path: np.ndarray  # points of a stroke, near the middle
     half: list[float]  # the matrix of a picture whose left half is the lower half of the scan
     side: np.ndarray  # where each vertex is in this picture, from -1 to 1
@@ -36,9 +36,8 @@ def facts_of(file):
     box = mesh.vertices[used].max(0) - mesh.vertices[used].min(0)
     _, place = np.unique(mesh.vertices, axis=0, return_inverse=True)
     place = place.ravel()
-    faces = place[mesh.faces]
-    whole = (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])
-    ways = np.concatenate([faces[whole][:, [a, b]] for a, b in ((0, 1), (1, 2), (2, 0))])
+    faces = _surface(place[mesh.faces])
+    ways = np.concatenate([faces[:, [a, b]] for a, b in ((0, 1), (1, 2), (2, 0))])
     edges, count = np.unique(np.sort(ways, 1), axis=0, return_counts=True)
     up, by_way = np.unique(np.sort(ways, 1)[ways[:, 0] < ways[:, 1]], axis=0, return_counts=True)
     turns = {tuple(e): n for e, n in zip(up.tolist(), by_way.tolist())}
@@ -48,6 +47,13 @@ def facts_of(file):
     half, side = _half(mesh.vertices, used)
     return Facts(file, mesh, float(np.linalg.norm(box)), np.nonzero(on_rim[place])[0], _path(
         mesh.vertices[used]), half, side, is_closed, b" red\n" in file.read_bytes()[:4096])
+
+
+def _surface(faces):
+    """Leaves out triangles with two vertices at one place, and copies of others."""
+    whole = (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])
+    faces = faces[whole]
+    return faces[np.sort(np.unique(np.sort(faces, 1), axis=0, return_index=True)[1])]
 
 
 def _path(vertices):

@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "common/generate/generate.h"
 #include "common/mesh/heard_statistics.h"
+#include "tests/common/odd_triangles.h"
 
 namespace burnish {
 namespace {
@@ -79,16 +81,27 @@ TEST(Statistics, PiecesThatShareAVertexAreOneComponent) {
   EXPECT_EQ(compute_statistics(mesh_of(vertices, {{0, 1, 2}, {0, 3, 4}, {5, 6, 7}})).components, 2);
 }
 
-TEST(Statistics, ARepeatedVertexLeavesOneEdgeAndNoArea) {
+TEST(Statistics, ATriangleThatRepeatsAVertexHasNeitherEdgesNorArea) {
   const std::vector<Vec3d> vertices = {{0, 0, 0}, {2, 0, 0}, {0, 1, 0}};
   for (const Triangle& triangle : {Triangle{0, 0, 1}, Triangle{0, 1, 0}, Triangle{1, 0, 0}}) {
     const auto statistics = compute_statistics(mesh_of(vertices, {triangle}));
     EXPECT_EQ(statistics.zero_area_triangles, 1);
-    EXPECT_EQ(statistics.boundary_edges, 1);
+    EXPECT_EQ(statistics.boundary_edges, 0);
     EXPECT_EQ(statistics.components, 1);
     EXPECT_EQ(statistics.unreferenced_vertices, 1);
-    EXPECT_EQ(statistics.mean_edge_length, 2);
+    EXPECT_EQ(statistics.mean_edge_length, 0);
     EXPECT_EQ(statistics.area, 0);
+  }
+}
+
+TEST(Statistics, TrianglesThatAreNoSurfaceChangeNoEdge) {
+  const TriangleMesh sheet = make_sheet(5, 1, 0.1);
+  const auto plain = compute_statistics(sheet);
+  for (const auto& [name, mesh] : with_triangles_of_no_surface(sheet)) {
+    const auto statistics = compute_statistics(mesh);
+    EXPECT_EQ(statistics.boundary_edges, plain.boundary_edges) << name;
+    EXPECT_EQ(statistics.non_manifold_edges, 0) << name;
+    EXPECT_DOUBLE_EQ(statistics.mean_edge_length, plain.mean_edge_length) << name;
   }
 }
 

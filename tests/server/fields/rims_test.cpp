@@ -11,6 +11,7 @@
 #include "server/fields/edge_census.h"
 #include "server/fields/hold.h"
 #include "server/prepare/prepare.h"
+#include "tests/common/odd_triangles.h"
 #include "tests/common/split_vertices.h"
 
 namespace burnish {
@@ -61,6 +62,16 @@ TEST(Rims, HoldEachVertexOnTheBorderAndNoneInside) {
   const std::vector<bool> held = is_held(*prepared_with_rims(mesh));
   for (size_t v = 0; v < mesh.vertices.size(); ++v)
     EXPECT_EQ(held[v], is_on_border(mesh.vertices[v])) << mesh.vertices[v].transpose();
+}
+
+TEST(Rims, AreThoseOfTheSurfaceWhateverTrianglesAreNone) {
+  const TriangleMesh sheet = make_sheet(12, 1, 0.1);
+  for (const auto& [name, mesh] : with_triangles_of_no_surface(sheet)) {
+    const std::vector<bool> held = is_held(*prepared_with_rims(mesh));
+    for (const Triangle& triangle : mesh.triangles)
+      for (const uint32_t v : triangle)
+        EXPECT_EQ(held[v], is_on_border(mesh.vertices[v])) << name << " " << v;
+  }
 }
 
 TEST(Rims, LinesHaveTheLengthOfTheRims) {
@@ -171,6 +182,10 @@ TEST(Rims, OnlyAClosedAndOrientedSurfaceEnclosesAVolume) {
   EXPECT_TRUE(is_closed(*prepared_with_rims(make_icosphere(2, 1))));
   EXPECT_TRUE(is_closed(*prepared_with_rims(as_soup(make_icosphere(2, 1)))));
   EXPECT_FALSE(is_closed(*prepared_with_rims(make_sheet(8, 1, 0.1))));
+  for (const auto& [name, mesh] : with_triangles_of_no_surface(make_icosphere(2, 1)))
+    EXPECT_TRUE(is_closed(*prepared_with_rims(mesh))) << name;
+  for (const auto& [name, mesh] : with_triangles_of_no_surface(make_sheet(8, 1, 0.1)))
+    EXPECT_FALSE(is_closed(*prepared_with_rims(mesh))) << name;
   TriangleMesh turned = make_icosphere(2, 1);
   std::swap(turned.triangles[0][0], turned.triangles[0][1]);
   EXPECT_FALSE(is_closed(*prepared_with_rims(turned)));
