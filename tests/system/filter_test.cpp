@@ -1,6 +1,8 @@
 // `burnish filter` and `generate` as users see them: files in, files out, exit codes.
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -248,6 +250,87 @@ TEST_F(FilterCommand, BetaOneReturnsAFileOfItsFormatByteForByte) {
     EXPECT_EQ(content_of(path("out-") + name), content);
     EXPECT_THAT(output_, Not(HasSubstr("warning")));
   }
+}
+
+struct TextFile {
+  const char* name;
+  std::string header, position, face;  ///< what begins each of them
+  std::string footer = "";
+  int first = 0;  ///< the number of the first vertex in faces
+};
+
+/// Returns a mesh as a text whose positions have three decimals.
+std::string text_of(const TextFile& file, const TriangleMesh& mesh) {
+  std::string text = file.header;
+  const auto put_position = [&](uint32_t v) {
+    const Vec3d& p = mesh.vertices[v];
+    char line[100];
+    std::snprintf(line, sizeof line, "%.3f %.3f %.3f\n", p[0], p[1], p[2]);
+    text += file.position + line;
+  };
+  const bool is_soup = !file.footer.empty();
+  for (uint32_t v = 0; v < mesh.vertices.size() && !is_soup; ++v) put_position(v);
+  for (const Triangle& triangle : mesh.triangles) {
+    text += file.face;
+    for (const uint32_t v : triangle)
+      is_soup ? put_position(v) : void(text += " " + std::to_string(v + file.first));
+    text += is_soup ? "endloop\nendfacet\n" : "\n";
+  }
+  return text + file.footer;
+}
+
+/// Returns the most digits behind a point in a text.
+size_t decimals_max(const std::string& text) {
+  size_t most = 0;
+  for (size_t at = text.find('.'); at != std::string::npos; at = text.find('.', at + 1)) {
+    const size_t end = text.find_first_not_of("0123456789", at + 1);
+    most = std::max(most, std::min(end, text.size()) - at - 1);
+  }
+  return most;
+}
+
+std::string ply_header_of(const TriangleMesh& mesh, const std::string& type) {
+  return "ply\nformat ascii 1.0\nelement vertex " + std::to_string(mesh.vertices.size()) +
+         "\nproperty " + type + " x\nproperty " + type + " y\nproperty " + type +
+         " z\nelement face " + std::to_string(mesh.triangles.size()) +
+         "\nproperty list uchar int vertex_indices\nend_header\n";
+}
+
+TEST_F(FilterCommand, ATextKeepsItsDecimalsAndTheAccuracyOfAnExport) {
+  const TriangleMesh sphere = make_icosphere(3, 10);
+  const std::string off = "OFF\n" + std::to_string(sphere.vertices.size()) + " " +
+                          std::to_string(sphere.triangles.size()) + " 0\n";
+  const std::vector<TextFile> files = {
+      {"a.obj", "", "v ", "f", "", 1},
+      {"a.off", off, "", "3"},
+      {"float.ply", ply_header_of(sphere, "float"), "", "3"},
+      {"double.ply", ply_header_of(sphere, "double"), "", "3"},
+      {"a.stl", "solid s\n", "vertex ", "facet normal 0 0 0\nouter loop\n", "endsolid s\n"}};
+  for (const TextFile& file : files) {
+    const std::string text = text_of(file, sphere);
+    TriangleMesh binary = read_mesh(folder_.write(file.name, text)).value();
+    binary.has_double_positions = true;
+    ASSERT_TRUE(write_mesh(binary, in()).is_ok());
+    ASSERT_EQ(burnish({"filter", in(), out(), "--beta", "0.2", "--force"}), 0) << output_;
+    const std::string written = path(std::string("out-") + file.name);
+    ASSERT_EQ(burnish({"filter", path(file.name), written, "--beta", "0.2"}), 0) << output_;
+    const std::string after = content_of(written);
+    EXPECT_NE(after, text);
+    EXPECT_LT(after.size(), text.size() * 4 / 3) << file.name;
+    EXPECT_LE(decimals_max(after), 6) << file.name;
+    const TriangleMesh as_text = read_mesh(written).value(), exact = read_mesh(out()).value();
+    ASSERT_EQ(as_text.vertices.size(), exact.vertices.size());
+    for (size_t v = 0; v < exact.vertices.size(); ++v)
+      ASSERT_LT((as_text.vertices[v] - exact.vertices[v]).norm(), 1e-7 * 34.6) << file.name;
+  }
+}
+
+TEST_F(FilterCommand, AnotherTextFormatHasTheDecimalsOfTheFile) {
+  const TriangleMesh sphere = make_icosphere(3, 10);
+  const TextFile file = {"double.ply", ply_header_of(sphere, "double"), "", "3"};
+  folder_.write(file.name, text_of(file, sphere));
+  ASSERT_EQ(burnish({"filter", path(file.name), path("out.obj"), "--beta", "0.2"}), 0) << output_;
+  EXPECT_LE(decimals_max(content_of(path("out.obj"))), 6);
 }
 
 TEST_F(FilterCommand, AGlbComesBackByteForByteAndMovedInItsNodesFrame) {

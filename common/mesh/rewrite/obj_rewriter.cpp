@@ -19,22 +19,25 @@ std::optional<float> obj_colour_scale(std::span<const uint8_t> bytes) {
   return largest ? std::optional(colour_scale(*largest)) : std::nullopt;
 }
 
-static TextDigits obj_digits_of(std::span<const uint8_t> bytes) {
-  TextDigits digits;
-  for (TextScanner scanner(bytes, "", kObjSyntax); scanner.next_line();)
-    if (scanner.next_token() == "v")
-      for (const std::string_view word : next_position_words(scanner)) digits.add(word);
-  return digits;
-}
+struct ObjDigits {
+  TextDigits positions, normals;
+};
 
-static WrittenNumber obj_number_of(std::span<const uint8_t> bytes, bool has_double_positions) {
-  const TextDigits digits = has_double_positions ? obj_digits_of(bytes) : TextDigits();
-  return WrittenNumber::of_text(has_double_positions, digits);
+static ObjDigits obj_digits_of(std::span<const uint8_t> bytes) {
+  ObjDigits digits;
+  for (TextScanner scanner(bytes, "", kObjSyntax); scanner.next_line();) {
+    const std::string_view keyword = scanner.next_token();
+    if (keyword == "v") add_words(next_position_words(scanner), digits.positions);
+    if (keyword == "vn") add_words(next_position_words(scanner), digits.normals);
+  }
+  return digits;
 }
 
 Status rewrite_obj(std::span<const uint8_t> bytes, const std::string& name, const MovedMesh& moved,
                    OutputBuffer& output) {
-  const WrittenMesh written(moved, obj_number_of(bytes, moved.after.has_double_positions));
+  const ObjDigits digits = obj_digits_of(bytes);
+  const WrittenMesh written(moved, WrittenNumber::of_text(moved, digits.positions));
+  const WrittenNumber normal_number = WrittenNumber::of_normals(digits.normals);
   const std::vector<AreaVectors> normals = gather_obj_normals(bytes, written.moved());
   const bool has_colours = moved.after.has_colours();
   const float scale = has_colours ? obj_colour_scale(bytes).value_or(0) : 0;
@@ -52,7 +55,8 @@ Status rewrite_obj(std::span<const uint8_t> bytes, const std::string& name, cons
       ++vertex;
     }
     if (keyword == "vn")
-      replace_normal(normals[normal++], next_position_words(text.scanner), text.patch);
+      replace_normal(normals[normal++], normal_number, next_position_words(text.scanner),
+                     text.patch);
   }
   if (vertex != moved.before.size())
     return changed_original(name, "it has " + std::to_string(vertex) + " vertices, it had " +

@@ -19,20 +19,24 @@ PositionWords next_off_words(OffText& text) {
 
 /// The facts of all vertices that are known before the first is written.
 struct OffAhead {
-  TextDigits digits;
+  TextDigits digits, normal_digits;
   std::vector<Vec3f> normals;  // if there are some
   float largest_channel = 0;
 
   /// Reads a copy of the file's words, which stands before the first vertex.
   explicit OffAhead(OffText text) {
     for (uint64_t v = 0; v < text.vertices() && text.next_element(); ++v) {
-      for (const std::string_view word : next_off_words(text)) digits.add(word);
-      if (text.kind().has_normals)
-        normals.push_back(parse_normal(next_off_words(text)).value_or(Vec3f::Zero()));
+      add_words(next_off_words(text), digits);
+      if (text.kind().has_normals) add_normal(next_off_words(text));
       if (!text.kind().has_colours) continue;
       if (const auto rgb = next_colour(text.scanner()))
         largest_channel = burnish::largest_channel(largest_channel, *rgb);
     }
+  }
+
+  void add_normal(const PositionWords& words) {
+    add_words(words, normal_digits);
+    normals.push_back(parse_normal(words).value_or(Vec3f::Zero()));
   }
 };
 
@@ -55,15 +59,15 @@ Status rewrite_off(std::span<const uint8_t> bytes, const std::string& name, cons
     return changed_original(name, "it has " + std::to_string(text.vertices()) +
                                       " vertices, it had " + std::to_string(moved.before.size()));
   const OffAhead ahead(text);
-  const WrittenMesh written(moved,
-                            WrittenNumber::of_text(moved.after.has_double_positions, ahead.digits));
+  const WrittenMesh written(moved, WrittenNumber::of_text(moved, ahead.digits));
+  const WrittenNumber normal_number = WrittenNumber::of_normals(ahead.normal_digits);
   const std::vector<AreaVectors> areas = gather_off_areas(written.moved(), ahead);
   const bool has_colours = text.kind().has_colours && moved.after.has_colours();
   BytePatch patch(bytes, output);
   for (uint64_t v = 0; v < moved.before.size() && text.next_element(); ++v) {
     RETURN_IF_ERROR(replace_position(name, written, v, next_off_words(text), patch));
     if (text.kind().has_normals && v < areas.size())
-      replace_normal(areas[v], next_off_words(text), patch);
+      replace_normal(areas[v], normal_number, next_off_words(text), patch);
     if (has_colours)
       replace_colour(moved.after.colours[v], colour_scale(ahead.largest_channel),
                      next_position_words(text.scanner()), patch);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -62,8 +63,10 @@ class PlyBodyRewriter {
 
   Status rewrite() {
     RETURN_IF_ERROR(look_ahead());
-    const std::array<WrittenNumber, 3> axes = {axis(0), axis(1), axis(2)};
+    const WrittenNumber text = WrittenNumber::of_text(moved_, digits_);
+    const std::array<WrittenNumber, 3> axes = {axis(0, text), axis(1, text), axis(2, text)};
     written_.emplace(moved_, axes);
+    normal_number_ = WrittenNumber::of_normals(normal_digits_);
     if (normals_) gather_areas();
     PlyWalk<Source> walk(source_, name_);
     size_t left = face_normals_ ? 2 : 1;  // elements to change
@@ -85,33 +88,41 @@ class PlyBodyRewriter {
  private:
   bool is_text() const { return header_.encoding == PlyEncoding::kAscii; }
 
-  /// Reads what must be known of all vertices before the first is written.
+  /// Reads what must be known of all vertices and faces before the first is written.
   Status look_ahead() {
     if (normals_) vertex_places_ = find_places(moved_.before);
     const bool needs_normals = vertex_places_.are_shared();
-    const bool needs_digits = is_text() && moved_.after.has_double_positions;
-    if (!needs_normals && !needs_digits) return Status::ok();
+    if (!needs_normals && !is_text()) return Status::ok();
     PlyWalk<Source> walk(source_, name_);
+    size_t left = is_text() && face_normals_ ? 2 : 1;  // elements to look at
     for (const PlyElement& element : header_.elements) {
+      const bool is_vertex = &element == &vertex_, is_face = face_normals_ && &element == face_;
       for (uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
         RETURN_IF_ERROR(walk.read(element, i));
-        if (&element != &vertex_) continue;
-        if (needs_normals)
+        if (is_vertex && needs_normals)
           old_normals_.emplace_back(vector_at(walk.values(), *normals_).template cast<float>());
-        if (!needs_digits) continue;
-        for (const size_t p : positions_)
-          if (!is_integer(vertex_.properties[p].type)) digits_.add(walk.values()[p].bytes);
+        if (is_vertex) add_digits(element, positions_, walk.values(), digits_);
+        if (is_vertex && normals_) add_digits(element, *normals_, walk.values(), normal_digits_);
+        if (is_face) add_digits(element, *face_normals_, walk.values(), normal_digits_);
       }
-      if (&element == &vertex_) break;
+      left -= is_vertex || (left == 2 && is_face);
+      if (left == 0) break;
     }
     return Status::ok();
   }
 
+  /// Does nothing in a binary.
+  void add_digits(const PlyElement& element, const Properties& places,
+                  std::span<const PlyValue> values, TextDigits& digits) const {
+    if (!is_text()) return;
+    for (const size_t p : places)
+      if (!is_integer(element.properties[p].type)) digits.add(values[p].bytes);
+  }
+
   /// A text may have more digits than its type says, or fewer.
-  WrittenNumber axis(size_t number) const {
+  WrittenNumber axis(size_t number, const WrittenNumber& text) const {
     const PlyType type = vertex_.properties[positions_[number]].type;
-    if (is_text() && !is_integer(type))
-      return WrittenNumber::of_text(moved_.after.has_double_positions, digits_);
+    if (is_text() && !is_integer(type)) return text;
     return {.type = type, .is_text = is_text(), .digits = {}};
   }
 
@@ -177,6 +188,8 @@ class PlyBodyRewriter {
     if (property.is_list() || std::isnan(value.number) || after_[p] == value.number) return;
     for (size_t axis = 0; &element == &vertex_ && axis < 3; ++axis)
       if (p == positions_[axis]) return put_position(axis, value);
+    if (is_text() && is_normal(element, p) && !is_integer(property.type))
+      return put_normal(after_[p], value);
     const double kept = kept_by(property.type, after_[p]);
     if (kept == kept_by(property.type, value.number)) return;
     patch_.replace(value.bytes, ply_number(property.type, header_.encoding, kept));
@@ -187,6 +200,17 @@ class PlyBodyRewriter {
     const WrittenNumber& number = written_->axis(axis);
     patch_.replace(value.bytes, is_text() ? number.text_of(after, value.number, value.bytes)
                                           : ply_number(number.type, header_.encoding, after));
+  }
+
+  bool is_normal(const PlyElement& element, size_t p) const {
+    const auto& places = &element == &vertex_ ? normals_ : face_normals_;
+    return places && std::find(places->begin(), places->end(), p) != places->end();
+  }
+
+  void put_normal(double after, const PlyValue& value) {
+    if (!normal_number_.tells_apart(after, value.number)) return;
+    const double kept = normal_number_.kept(after, value.number);
+    patch_.replace(value.bytes, normal_number_.text_of(kept, value.number, value.bytes));
   }
 
   const Source source_;  // at the beginning of the body
@@ -201,7 +225,8 @@ class PlyBodyRewriter {
   Properties positions_ = {};
   std::optional<Properties> normals_;
   std::optional<Properties> face_normals_;
-  TextDigits digits_;
+  TextDigits digits_, normal_digits_;  // of a text
+  WrittenNumber normal_number_;
   Places vertex_places_;            // if there are normals
   std::vector<Vec3f> old_normals_;  // if vertices share places
   std::optional<WrittenMesh> written_;

@@ -13,6 +13,7 @@
 #include "common/mesh/rewrite/packed_mesh.h"
 #include "common/mesh/rewrite/write_plan.h"
 #include "common/mesh/rewrite/written_mesh.h"
+#include "common/mesh/text_values.h"
 
 namespace burnish {
 
@@ -72,9 +73,19 @@ static Result<std::vector<uint8_t>> pack_alone(std::span<const uint8_t> file,
   return pack_archive({&packed, 1});
 }
 
-/// Writers round to floats, or keep doubles.
+/// Returns how a text has the doubles of a mesh: in the digits that its coordinates had.
+static WrittenNumber doubles_in_text(const MovedMesh& moved) {
+  TextDigits digits;
+  for (const Vec3d& position : moved.before)
+    for (const double coordinate : position) digits.add(number_text(coordinate));
+  return WrittenNumber::of_text(moved, digits);
+}
+
+/// Writers round to floats, or keep doubles. A text has no more digits than it had.
 static Status write_anew(const MovedMesh& moved, MeshFormat format,
                          const std::filesystem::path& path) {
+  if (moved.after.has_double_positions && format == MeshFormat::kObj)
+    return write_mesh(WrittenMesh(moved, doubles_in_text(moved)).moved().after, path);
   if (!(moved.cap > 0) || moved.after.has_double_positions) return write_mesh(moved.after, path);
   const WrittenNumber as_float = {
       .type = PlyType::kFloat32, .is_text = format == MeshFormat::kObj, .digits = {}};

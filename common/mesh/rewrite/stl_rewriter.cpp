@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstring>
 #include <string_view>
+#include <utility>
 
 #include "common/mesh/rewrite/format_rewriters.h"
 #include "common/mesh/rewrite/text_patch.h"
@@ -67,14 +68,31 @@ Status rewrite_binary(std::span<const uint8_t> bytes, const std::string& name,
   return Status::ok();
 }
 
+struct StlDigits {
+  TextDigits positions, normals;
+};
+
+/// Takes words that follow "vertex" and "normal" outside a solid too: they do no harm.
+StlDigits stl_digits_of(std::span<const uint8_t> bytes) {
+  StlDigits digits;
+  for (TextScanner scanner(bytes, ""); scanner.next_line();) {
+    const std::string keyword = next_stl_keyword(scanner);
+    if (keyword == "vertex") add_words(next_position_words(scanner), digits.positions);
+    if (keyword == "facet" && equals_ignoring_case(scanner.next_token(), "normal"))
+      add_words(next_position_words(scanner), digits.normals);
+  }
+  return digits;
+}
+
 /// Follows the statements as AsciiStlReader does.
 class AsciiStlRewriter {
  public:
   AsciiStlRewriter(std::span<const uint8_t> bytes, const std::string& name,
-                   const WrittenMesh& written, OutputBuffer& output)
+                   const WrittenMesh& written, WrittenNumber normal_number, OutputBuffer& output)
       : text_{TextScanner(bytes, name), BytePatch(bytes, output)},
         name_(name),
         written_(written),
+        normal_number_(std::move(normal_number)),
         moved_(written.moved()) {}
 
   Status rewrite() {
@@ -102,8 +120,8 @@ class AsciiStlRewriter {
   void rewrite_facet_normal() {
     if (facet_ >= moved_.after.triangles.size()) return;
     if (equals_ignoring_case(text_.scanner.next_token(), "normal"))
-      replace_normal(area_of_facet(moved_, facet_), next_position_words(text_.scanner),
-                     text_.patch);
+      replace_normal(area_of_facet(moved_, facet_), normal_number_,
+                     next_position_words(text_.scanner), text_.patch);
   }
 
   Status rewrite_corner() {
@@ -116,27 +134,19 @@ class AsciiStlRewriter {
   TextPatch text_;
   const std::string& name_;
   const WrittenMesh& written_;
+  const WrittenNumber normal_number_;
   const MovedMesh& moved_;
   bool in_solid_ = false;
   uint64_t facet_ = 0;
   size_t corner_ = 0;
 };
 
-/// Takes words that follow "vertex" outside a solid too: they do no harm.
-TextDigits stl_digits_of(std::span<const uint8_t> bytes) {
-  TextDigits digits;
-  for (TextScanner scanner(bytes, ""); scanner.next_line();)
-    if (next_stl_keyword(scanner) == "vertex")
-      for (const std::string_view word : next_position_words(scanner)) digits.add(word);
-  return digits;
-}
-
 Status rewrite_text(std::span<const uint8_t> bytes, const std::string& name, const MovedMesh& moved,
                     OutputBuffer& output) {
-  const bool has_doubles = moved.after.has_double_positions;
-  const TextDigits digits = has_doubles ? stl_digits_of(bytes) : TextDigits();
-  const WrittenMesh written(moved, WrittenNumber::of_text(has_doubles, digits));
-  return AsciiStlRewriter(bytes, name, written, output).rewrite();
+  const StlDigits digits = stl_digits_of(bytes);
+  const WrittenMesh written(moved, WrittenNumber::of_text(moved, digits.positions));
+  return AsciiStlRewriter(bytes, name, written, WrittenNumber::of_normals(digits.normals), output)
+      .rewrite();
 }
 
 }  // namespace

@@ -55,14 +55,21 @@ void replace_colour(const Rgba8& colour, float scale, const PositionWords& words
   }
 }
 
-void replace_normal(const AreaVectors& areas, const PositionWords& words, BytePatch& patch) {
+void replace_normal(const AreaVectors& areas, const WrittenNumber& number,
+                    const PositionWords& words, BytePatch& patch) {
   Vec3d before;
   if (!parse_three(words, before)) return;
   const Vec3d after = areas.turn(before);
   for (size_t axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<int>(axis);
-    replace_number(words[axis], before[i], after[i], patch);
+    if (std::isnan(before[i]) || !number.tells_apart(after[i], before[i])) continue;
+    const double kept = number.kept(after[i], before[i]);
+    patch.replace(words[axis], number.text_of(kept, before[i], words[axis]));
   }
+}
+
+void add_words(const PositionWords& words, TextDigits& digits) {
+  for (const std::string_view word : words) digits.add(word);
 }
 
 }  // namespace burnish

@@ -29,7 +29,11 @@ Status replace_position(const std::string& name, const WrittenMesh& written, uin
 void replace_colour(const Rgba8& colour, float scale, const PositionWords& words, BytePatch& patch);
 
 /// Turns the normal that three numbers are. Leaves other texts alone.
-void replace_normal(const AreaVectors& areas, const PositionWords& words, BytePatch& patch);
+void replace_normal(const AreaVectors& areas, const WrittenNumber& number,
+                    const PositionWords& words, BytePatch& patch);
+
+/// Adds three numbers to a text's digits.
+void add_words(const PositionWords& words, TextDigits& digits);
 
 /// Returns three numbers as floats; nothing unless all are numbers.
 std::optional<Vec3f> parse_normal(const PositionWords& words);

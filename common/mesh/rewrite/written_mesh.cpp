@@ -1,7 +1,7 @@
 #include "common/mesh/rewrite/written_mesh.h"
 
-#include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "common/mesh/rewrite/ply_number.h"
 #include "common/mesh/text_values.h"
@@ -10,11 +10,33 @@ namespace burnish {
 
 static constexpr size_t kParallelVertices = 10'000;  // fewer are not worth waking the threads
 
-WrittenNumber WrittenNumber::of_text(bool has_double_positions, const TextDigits& digits) {
-  WrittenNumber number{.type = PlyType::kFloat32, .is_text = true, .digits = {}};
-  if (has_double_positions) number.type = PlyType::kFloat64;
-  if (has_double_positions && digits.exceed_float()) number.digits = digits;
-  return number;
+/// Returns the diagonal of the box around all triangles, before they moved. Returns 0 if there are
+/// none.
+static double diagonal_of(const MovedMesh& moved) {
+  if (moved.after.triangles.empty()) return 0;
+  Vec3d lowest = moved.before[moved.after.triangles[0][0]], highest = lowest;
+  for (const Triangle& triangle : moved.after.triangles)
+    for (const uint32_t v : triangle) {
+      lowest = lowest.cwiseMin(moved.before[v]);
+      highest = highest.cwiseMax(moved.before[v]);
+    }
+  return (highest - lowest).norm();
+}
+
+WrittenNumber WrittenNumber::of_text(const MovedMesh& moved, TextDigits digits) {
+  const bool is_double = moved.after.has_double_positions;
+  digits.refine(kTextStepShare * diagonal_of(moved));
+  if (!is_double) digits.limit_to_float();
+  return {.type = is_double ? PlyType::kFloat64 : PlyType::kFloat32,
+          .is_text = true,
+          .digits = std::move(digits)};
+}
+
+WrittenNumber WrittenNumber::of_normals(TextDigits digits) {
+  digits.refine(kNormalStep);
+  digits.ignore_magnitude();
+  digits.limit_to_float();
+  return {.type = PlyType::kFloat32, .is_text = true, .digits = std::move(digits)};
 }
 
 static std::string shortest_text(PlyType type, double value) {
@@ -37,7 +59,7 @@ bool WrittenNumber::tells_apart(double value, double before) const {
 double WrittenNumber::nearer(double kept, double before) const {
   double next = std::nextafter(kept, before);
   if (digits || is_integer(type))
-    next = kept + std::copysign(digits ? digits->step(before) : 1, before - kept);
+    next = kept + std::copysign(digits ? digits->step(kept, before) : 1, before - kept);
   else if (type == PlyType::kFloat32)
     next = std::nextafter(static_cast<float>(kept), static_cast<float>(before));
   next = this->kept(next, before);

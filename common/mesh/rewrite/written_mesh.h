@@ -13,14 +13,18 @@
 namespace burnish {
 
 /// How a file keeps a coordinate: as a value of a type; in a text as the shortest decimal number of
-/// a float or a double, or in the digits of the file.
+/// a type, or in the digits of the file.
 struct WrittenNumber {
   PlyType type = PlyType::kFloat64;
   bool is_text = false;
   std::optional<TextDigits> digits;
 
-  /// A coordinate of a text. `digits` are those of all its coordinates.
-  static WrittenNumber of_text(bool has_double_positions, const TextDigits& digits);
+  /// A coordinate of a text. `digits` are those of all its coordinates. Takes more decimals where
+  /// these are coarser than an export's accuracy, kTextStepShare of the mesh's diagonal.
+  static WrittenNumber of_text(const MovedMesh& moved, TextDigits digits);
+
+  /// A coordinate of a normal in a text. `digits` are those of all its normals.
+  static WrittenNumber of_normals(TextDigits digits);
 
   /// Returns the number that the file has for `value` in the place of `before`.
   double kept(double value, double before) const;
@@ -34,6 +38,13 @@ struct WrittenNumber {
   /// Returns the text of a number that the file keeps, in the form of the old text.
   std::string text_of(double kept, double before, std::string_view old) const;
 };
+
+/// The largest step of a text's coordinates, as a share of the mesh's diagonal. Exports agree with
+/// the reference within 5e-7 of it, and rounding to half a step takes less than a fifth of that.
+inline constexpr double kTextStepShare = 1e-7;
+
+/// The largest step of a text's normals: an angle that nobody sees.
+inline constexpr double kNormalStep = 1e-4;
 
 /// A moved mesh at the positions that a file has afterwards. A coordinate that the file cannot tell
 /// from the one before is the one before. No vertex is farther from its place than the cap.

@@ -17,8 +17,8 @@ TEST(OffRewriter, AnUnmovedTextIsTheSameBytes) {
 TEST(OffRewriter, PositionsAndNormalsChangeAndColoursStay) {
   const auto turn = [](size_t, const Vec3d& p) { return Vec3d(0, p[1], p[0]); };
   EXPECT_EQ(rewritten(MeshFormat::kOff, kOffText, turn),
-            "STCNOFF\n# a square\n4 1 0\n\n0 0 0   -1 0 0  0.5 0.5 0.5 1  0.0 0\n"
-            "0 0 1   -1 0 0  1 0 0 1  1 0 # corner\n0 1 1   -1 0 0  0 1 0 1  1 1\n"
+            "STCNOFF\n# a square\n4 1 0\n\n0 0 0   -1 0 0.00  0.5 0.5 0.5 1  0.0 0\n"
+            "0.0 0 1   -1 0 0  1 0 0 1  1 0 # corner\n0 1 1   -1 0 0  0 1 0 1  1 1\n"
             "0 1 0   -1 0 0  0 0 1 1  0 1\n4  0 1 2 3  0.25 0.5 1\n");
 }
 
@@ -37,7 +37,7 @@ TEST(OffRewriter, NormalsThatWereEqualAtOnePlaceStayEqual) {
   const auto fold = [](size_t v, const Vec3d& p) { return v == 5 ? Vec3d(-1, 0, -1) : p; };
   EXPECT_THAT(rewritten(MeshFormat::kOff, seam, fold),
               testing::HasSubstr("0 0 0 -0.4472136 0 0.8944272\n0 0 0 -0.4472136 0 0.8944272\n"
-                                 "0 1 0 0 0 1\n0 1 0 -0.70710677 0 0.70710677\n"));
+                                 "0 1 0 0 0 1\n0 1 0 -0.7071068 0 0.7071068\n"));
 }
 
 TEST(OffRewriter, ElementsMayTakeSeveralLinesOrShareOne) {

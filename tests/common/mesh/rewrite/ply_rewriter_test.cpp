@@ -31,7 +31,7 @@ TEST(PlyRewriter, AMovedCoordinateIsAllThatChangesInATextWithoutNormals) {
       replaced(replaced(replaced(kPlyText, "double nx", "double ax"), "double ny", "double ay"),
                "double nz", "double az");
   const auto move = [](size_t v, const Vec3d& p) { return v == 2 ? Vec3d(1.25, p[1], p[2]) : p; };
-  EXPECT_EQ(rewritten(MeshFormat::kPly, text, move), replaced(text, "1.0e0", "1.25"));
+  EXPECT_EQ(rewritten(MeshFormat::kPly, text, move), replaced(text, "1.0e0", "1.25e+00"));
 }
 
 TEST(PlyRewriter, AColourChangesInTheTypeOfItsChannel) {
@@ -50,7 +50,7 @@ TEST(PlyRewriter, NormalsFollowTheSurface) {
   // Turns the square about the y axis: x becomes z.
   const auto turn = [](size_t, const Vec3d& p) { return Vec3d(0, p[1], p[0]); };
   const std::string text = rewritten(MeshFormat::kPly, kPlyText, turn);
-  EXPECT_THAT(text, testing::HasSubstr("0.2 0  -1 1 0 1 0   1 2 3 1 9\n"));
+  EXPECT_THAT(text, testing::HasSubstr("0.2 0.0e+00  -1.0 1 0 1.00 0.0   1 2 3 1 9\n"));
 }
 
 TEST(PlyRewriter, NormalsThatPointInwardsStayThere) {
@@ -59,7 +59,7 @@ TEST(PlyRewriter, NormalsThatPointInwardsStayThere) {
     inwards.replace(at, 4, " -1.0");
   const auto turn = [](size_t, const Vec3d& p) { return Vec3d(0, p[1], p[0]); };
   EXPECT_THAT(rewritten(MeshFormat::kPly, inwards, turn),
-              testing::HasSubstr("0.2 0  1 1 0 1 0   1 2 3 1 9\n"));
+              testing::HasSubstr("0.2 0.0e+00  1.0 1 0 1.00 0.0   1 2 3 1 9\n"));
 }
 
 /// Two triangles that meet at an edge whose vertices stand twice: the first two have one normal at
@@ -76,7 +76,7 @@ TEST(PlyRewriter, NormalsThatWereEqualAtOnePlaceStayEqualAndOthersKeepTheirCreas
   const std::string text = rewritten(MeshFormat::kPly, kSeamPly, fold);
   EXPECT_THAT(text, testing::HasSubstr("0 0 0 -0.4472136 0 0.8944272\n"
                                        "0 0 0 -0.4472136 0 0.8944272\n"
-                                       "0 1 0 0 0 1\n0 1 0 -0.70710677 0 0.70710677\n"));
+                                       "0 1 0 0 0 1\n0 1 0 -0.7071068 0 0.7071068\n"));
 }
 
 TEST(PlyRewriter, NormalsOfFacesFollowThem) {
@@ -91,8 +91,8 @@ TEST(PlyRewriter, NormalsOfFacesFollowThem) {
   const auto fold = [](size_t v, const Vec3d& p) { return v == 4 ? Vec3d(0, 1, 1) : p; };
   const std::string after = rewritten(MeshFormat::kPly, before, fold);
   EXPECT_EQ(after, replaced(replaced(before, "0.0 0 3 0 2 4 1 8",
-                                     "0.57735026 -0.57735026 3 0 2 4 "
-                                     "0.57735026 8"),
+                                     "0.5774 -0.5774 3 0 2 4 "
+                                     "0.5774 8"),
                             "0 2 0\n5", "0 1 1\n5"));
 }
 

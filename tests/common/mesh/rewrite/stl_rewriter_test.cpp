@@ -20,13 +20,13 @@ TEST(StlRewriter, CornersOfSeveralFacetsMoveTogether) {
   const std::string text = rewritten(MeshFormat::kStl, kStlText, move);
   EXPECT_EQ(parsed(MeshFormat::kStl, text).vertices.size(), 4u);
   EXPECT_EQ(text.find("vertex 1.0 0 0"), std::string::npos);
-  EXPECT_NE(text.find("vertex 2 0 0"), text.rfind("vertex 2 0 0"));
+  EXPECT_NE(text.find("vertex 2.0 0 0"), text.rfind("vertex 2.0 0 0"));
 }
 
 TEST(StlRewriter, NormalsOfATextTurnAndZeroNormalsStay) {
   const auto turn = [](size_t, const Vec3d& p) { return Vec3d(0, p[1], p[0]); };
   const std::string text = rewritten(MeshFormat::kStl, kStlText, turn);
-  EXPECT_THAT(text, testing::HasSubstr("facet normal -1 0 0\n"));
+  EXPECT_THAT(text, testing::HasSubstr("facet normal -1.0e+00 0 0.000000e+00\n"));
   EXPECT_THAT(text, testing::HasSubstr("FACET NORMAL 0 0 0\n"));
 }
 
@@ -37,7 +37,7 @@ TEST(StlRewriter, EndMayBeAWordOfItsOwn) {
   EXPECT_EQ(rewritten(MeshFormat::kStl, apart), apart);
   const auto turn = [](size_t, const Vec3d& p) { return Vec3d(0, p[1], p[0]); };
   EXPECT_THAT(rewritten(MeshFormat::kStl, with_cr(apart), turn),
-              testing::HasSubstr("facet normal -1 0 0\r"));
+              testing::HasSubstr("facet normal -1.0e+00 0 0.000000e+00\r"));
 }
 
 std::string binary_stl(const std::string& header) {

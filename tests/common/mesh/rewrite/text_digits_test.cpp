@@ -1,6 +1,7 @@
 #include "common/mesh/rewrite/text_digits.h"
 
 #include <initializer_list>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -15,7 +16,6 @@ TextDigits digits_of(std::initializer_list<const char*> coordinates) {
 
 TEST(TextDigits, ATextOfFixedDecimalsKeepsThem) {
   const TextDigits digits = digits_of({"499907.356", "4649907.242", "329.700", "-0.000"});
-  EXPECT_TRUE(digits.exceed_float());
   EXPECT_EQ(digits.kept(329.73149, 329.7), 329.731);
   EXPECT_EQ(digits.text_of(329.731, 329.7, "329.700"), "329.731");
   EXPECT_EQ(digits.text_of(330, 329.7, "329.700"), "330.000");
@@ -47,8 +47,35 @@ TEST(TextDigits, AllDigitsOfADoubleAreTheShortestText) {
   EXPECT_EQ(digits.text_of(512345.679, 512345.678, "512345.678"), "512345.679");
 }
 
-TEST(TextDigits, FloatsAndWhatIsNoCoordinateDoNotExceedAFloat) {
-  EXPECT_FALSE(digits_of({"0.1", "-0.49023438", "nan", "1e30", "x", ""}).exceed_float());
+TEST(TextDigits, DecimalsThatAreTooCoarseGetMore) {
+  TextDigits digits = digits_of({"12.345", "0.250", "3.141"});
+  digits.refine(2.5e-6);
+  EXPECT_EQ(digits.kept(12.345678912, 12.345), 12.345679);
+  EXPECT_EQ(digits.text_of(12.345679, 12.345, "12.345"), "12.345679");
+  EXPECT_EQ(digits.text_of(12.35, 12.345, "12.345"), "12.350");
+  digits.refine(0.5);
+  EXPECT_EQ(digits.kept(12.345678912, 12.345), 12.346);
+}
+
+TEST(TextDigits, AStepOfAPowerOfTenIsNotRefined) {
+  for (int decimals = 1; decimals <= 12; ++decimals) {
+    TextDigits digits = digits_of({"1"});
+    digits.refine(std::stod("1e-" + std::to_string(decimals)));
+    EXPECT_EQ(digits.text_of(digits.kept(1.0 / 3, 1), 1, "1").size(), 2 + decimals) << decimals;
+  }
+}
+
+TEST(TextDigits, FloatsAreWrittenAsFloatsWhereTheyAreTheCoarserOnes) {
+  TextDigits digits = digits_of({"0.1", "-0.49023438", "nan", "1e30", "x", ""});
+  digits.limit_to_float();
+  EXPECT_EQ(digits.text_of(digits.kept(1.0 / 3, 0.1), 0.1, "0.1"), "0.33333334");
+  EXPECT_EQ(digits.kept(0.100000000001, 0.1), digits.kept(0.1, 0.1));
+  EXPECT_GT(digits.step(1000, 999), 6e-5);
+}
+
+TEST(TextDigits, ATinyNumberHasNoLongRowOfZeros) {
+  const TextDigits digits = digits_of({"0", "1.25e-38"});
+  EXPECT_EQ(digits.text_of(1.5e-36, 0, "0"), "1.5e-36");
 }
 
 }  // namespace

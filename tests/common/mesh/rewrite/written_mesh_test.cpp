@@ -1,5 +1,6 @@
 #include "common/mesh/rewrite/written_mesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -47,48 +48,114 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-TEST(WrittenMesh, ASurveyChangesTheLinesWhoseLastDigitMoves) {
-  const std::string before = obj_sheet("%.3f %.3f %.3f", kSurvey);
-  const auto fade = [](size_t v, const Vec3d& p) {
-    return Vec3d(p[0], p[1], p[2] + 0.0203 / (1 + static_cast<double>(v)));
-  };
-  const std::string after = rewritten(MeshFormat::kObj, before, fade);
-  const auto old_lines = lines_of(before), new_lines = lines_of(after);
-  ASSERT_EQ(new_lines.size(), old_lines.size());
-  for (size_t v = 0; v < old_lines.size(); ++v) {
-    const bool moves = v < kSide * kSide && 0.0203 / (1 + static_cast<double>(v)) > 0.0005;
-    EXPECT_EQ(new_lines[v] != old_lines[v], moves) << v;
-    EXPECT_EQ(new_lines[v].size(), old_lines[v].size()) << new_lines[v];
-  }
-  EXPECT_LE(largest_move(MeshFormat::kObj, before, after), 0.0208);
-}
+/// The place of a sheet, near 0 and as surveys have it.
+const std::vector<Vec3d> kCorners = {Vec3d(12.345, 0.25, 3.141), kSurvey};
 
-TEST(WrittenMesh, EveryTextFormatKeepsItsDecimals) {
-  const std::string positions = sheet_positions("", "%.3f %.3f %.3f", kSurvey);
+// A ten-millionth of the sheet's diagonal, 84, has six decimals.
+constexpr double kSheetStep = 1e-6;
+
+std::string text_sheet(MeshFormat format, const std::string& type, const Vec3d& corner) {
+  const std::string positions = sheet_positions("", "%.3f %.3f %.3f", corner);
   const std::string counts = std::to_string(kSide * kSide);
   const std::string faces = sheet_faces("3 ", 0);
   const std::string face_count = std::to_string(std::count(faces.begin(), faces.end(), '\n'));
-  const std::string ply = "ply\nformat ascii 1.0\nelement vertex " + counts +
-                          "\nproperty double x\nproperty double y\nproperty double z\n"
-                          "element face " +
-                          face_count + "\nproperty list uchar int vertex_indices\nend_header\n" +
-                          positions + faces;
-  const std::string off = "OFF\n" + counts + " " + face_count + " 0\n" + positions + faces;
-  const std::string stl =
-      "solid s\nfacet normal 0 0 1\nouter loop\nvertex 499907.356 4649907.242 329.731\n"
-      "vertex 499910.500 4649907.242 329.000\nvertex 499907.356 4649910.500 329.000\nendloop\n"
-      "endfacet\nendsolid s\n";
-  const auto move = [](size_t, const Vec3d& p) -> Vec3d { return p + Vec3d(0.1, 0.0004, -0.25); };
-  for (const auto& [format, text] :
-       {std::pair(MeshFormat::kPly, ply), std::pair(MeshFormat::kOff, off),
-        std::pair(MeshFormat::kStl, stl)}) {
-    const std::string after = rewritten(format, text, move);
-    EXPECT_EQ(after.size(), text.size());
-    EXPECT_NE(after, text);
-    const TriangleMesh old_mesh = parsed(format, text), new_mesh = parsed(format, after);
-    for (size_t v = 0; v < old_mesh.vertices.size(); ++v)
-      EXPECT_LT((new_mesh.vertices[v] - old_mesh.vertices[v] - Vec3d(0.1, 0, -0.25)).norm(), 1e-8);
+  if (format == MeshFormat::kObj) return obj_sheet("%.3f %.3f %.3f", corner);
+  if (format == MeshFormat::kOff)
+    return "OFF\n" + counts + " " + face_count + " 0\n" + positions + faces;
+  if (format == MeshFormat::kPly)
+    return "ply\nformat ascii 1.0\nelement vertex " + counts + "\nproperty " + type +
+           " x\nproperty " + type + " y\nproperty " + type + " z\nelement face " + face_count +
+           "\nproperty list uchar int vertex_indices\nend_header\n" + positions + faces;
+  const std::vector<std::string> lines = lines_of(positions);
+  std::string stl = "solid s\n";
+  for (size_t v = 0; v + kSide + 1 < kSide * kSide; ++v) {
+    stl += "facet normal 0.000 0.000 1.000\nouter loop\n";
+    for (const size_t corner_of : {v, v + 1, v + kSide}) stl += "vertex " + lines[corner_of] + "\n";
+    stl += "endloop\nendfacet\n";
   }
+  return stl + "endsolid s\n";
+}
+
+struct TextKind {
+  MeshFormat format;
+  const char* type;
+};
+
+const std::vector<TextKind> kTextKinds = {{MeshFormat::kObj, ""},
+                                          {MeshFormat::kOff, ""},
+                                          {MeshFormat::kStl, ""},
+                                          {MeshFormat::kPly, "float"},
+                                          {MeshFormat::kPly, "double"}};
+
+TEST(WrittenMesh, ATextChangesTheLinesThatMoveByMoreThanHalfOfTheLastDigit) {
+  const auto amount = [](size_t v) { return 0.0203 * std::exp(-0.05 * static_cast<double>(v)); };
+  const auto fade = [&](size_t v, const Vec3d& p) { return Vec3d(p[0], p[1], p[2] + amount(v)); };
+  for (const Vec3d& corner : kCorners) {
+    const std::string before = obj_sheet("%.3f %.3f %.3f", corner);
+    const std::string after = rewritten(MeshFormat::kObj, before, fade);
+    const auto old_lines = lines_of(before), new_lines = lines_of(after);
+    ASSERT_EQ(new_lines.size(), old_lines.size());
+    for (size_t v = 0; v < old_lines.size(); ++v) {
+      const bool moves = v < kSide * kSide && amount(v) > kSheetStep / 2;
+      EXPECT_EQ(new_lines[v] != old_lines[v], moves) << v;
+      EXPECT_LE(new_lines[v].size(), old_lines[v].size() + 3) << new_lines[v];
+    }
+    EXPECT_LE(largest_move(MeshFormat::kObj, before, after), 0.0203 + kSheetStep);
+  }
+}
+
+TEST(WrittenMesh, EveryTextFormatKeepsItsDecimalsWhereverTheScanLies) {
+  const auto move = [](size_t, const Vec3d& p) -> Vec3d { return p + Vec3d(0.1, 0, -0.25); };
+  for (const TextKind& kind : kTextKinds)
+    for (const Vec3d& corner : kCorners) {
+      const std::string text = text_sheet(kind.format, kind.type, corner);
+      const std::string after = rewritten(kind.format, text, move);
+      const bool has_longer_normals = kind.format == MeshFormat::kStl;
+      EXPECT_EQ(after.size() > text.size(), has_longer_normals) << after.substr(0, 400);
+      EXPECT_GE(after.size(), text.size());
+      EXPECT_NE(after, text);
+      const TriangleMesh old_mesh = parsed(kind.format, text),
+                         new_mesh = parsed(kind.format, after);
+      for (size_t v = 0; v < old_mesh.vertices.size(); ++v)
+        ASSERT_LT((new_mesh.vertices[v] - old_mesh.vertices[v] - Vec3d(0.1, 0, -0.25)).norm(),
+                  1e-8);
+    }
+}
+
+TEST(WrittenMesh, RoundingToATextStaysBelowAFifthOfTheAccuracy) {
+  constexpr double kDiagonal = 84;
+  const auto move = [](size_t v, const Vec3d& p) -> Vec3d {
+    return p + 0.01 * Vec3d(std::sin(v), std::cos(v), std::sin(3 * v));
+  };
+  for (const TextKind& kind : kTextKinds)
+    for (const Vec3d& corner : kCorners) {
+      const std::string text = text_sheet(kind.format, kind.type, corner);
+      const std::string after = rewritten(kind.format, text, move);
+      EXPECT_LT(after.size(), text.size() * 13 / 10);
+      const TriangleMesh old_mesh = parsed(kind.format, text),
+                         new_mesh = parsed(kind.format, after);
+      for (size_t v = 0; v < old_mesh.vertices.size(); ++v)
+        ASSERT_LT((new_mesh.vertices[v] - move(v, old_mesh.vertices[v])).norm(), 1e-7 * kDiagonal);
+    }
+}
+
+TEST(WrittenMesh, ATextOfWholeNumbersIsWrittenAsExactlyAsOneOfDecimals) {
+  const std::string text = "v 0 0 0\nv 100 0 0\nv 0 100 0\nf 1 2 3\n";
+  const auto move = [](size_t v, const Vec3d& p) { return v == 1 ? Vec3d(100.123456, 0, 0) : p; };
+  EXPECT_EQ(rewritten(MeshFormat::kObj, text, move),
+            replaced(text, "v 100 0 0", "v 100.12346 0 0"));
+}
+
+TEST(WrittenMesh, AWrittenTextComesBackAsItIsWhenItIsWrittenAgain) {
+  const auto move = [](size_t v, const Vec3d& p) -> Vec3d {
+    return p + 0.01 * Vec3d(std::sin(v), std::cos(v), std::sin(3 * v));
+  };
+  for (const TextKind& kind : kTextKinds)
+    for (const Vec3d& corner : kCorners) {
+      const std::string once =
+          rewritten(kind.format, text_sheet(kind.format, kind.type, corner), move);
+      EXPECT_EQ(rewritten(kind.format, once), once);
+    }
 }
 
 TEST(WrittenMesh, FloatsInATextHaveAllTheirDigits) {
@@ -100,7 +167,7 @@ TEST(WrittenMesh, FloatsInATextHaveAllTheirDigits) {
 /// Moves every vertex by the cap, in many directions.
 Vec3d move_by(double cap, size_t v, const Vec3d& position) {
   const auto angle = static_cast<double>(v);
-  return position + (1 - 1e-6) * cap *
+  return position + (1 - 1e-7) * cap *
                         Vec3d(std::cos(angle) * std::cos(3 * angle),
                               std::sin(angle) * std::cos(3 * angle), std::sin(3 * angle));
 }
