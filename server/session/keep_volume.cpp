@@ -15,6 +15,7 @@ namespace {
 
 constexpr size_t kChunk = 4096;          // triangles; sums by chunk do not depend on the threads
 constexpr double kGrowthMax = 100;       // rounding and the solver's error grow with the surface
+constexpr int kStepsOfFrame = 12;        // a picture that moves waits for no more
 constexpr double kReachOfNormal = 0.25;  // of the diagonal; an offset along normals, to one radius
 
 double det(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
@@ -153,22 +154,29 @@ void VolumeKeeper::measure(std::span<const Vec3f> displacement, std::span<const 
     for (double& c : missing) c = -c;
   const double diagonal = prepared_.statistics.diagonal() / prepared_.frame.cell_size;
   const double farthest = growth.reach > 0 ? diagonal / std::sqrt(growth.reach) : 0;
-  distance_ = first_zero(missing, radial > 0 ? std::min(farthest, kGrowthMax / radial) : farthest);
+  distance_max_ = radial > 0 ? std::min(farthest, kGrowthMax / radial) : farthest;
+  distance_ = first_zero(missing, distance_max_);
   kept_ = value_at(growth.cubic, distance_) / (6 * scan_volume_);
 }
 
-void VolumeKeeper::apply(std::span<Vec3f> displacement) const {
-  if (distance_ == 0) return;
-  const auto distance = static_cast<float>(distance_);
-#pragma omp parallel for schedule(static)
-  for (size_t corner = 0; corner < displacement.size(); ++corner)
-    displacement[corner] += distance * offsets_[corner];
+// A cap takes from parts that move far, and the offset of the whole surface would be too large.
+void VolumeKeeper::measure_bounded(const Bounded& bounded, bool is_exact) {
+  if (scan_volume_ == 0) return;
+  const auto excess = [&](double distance) {
+    return volume_of(prepared_, grid_, bounded(distance)) / scan_volume_ - 1;
+  };
+  ZeroSearch search = {.guess = distance_, .limit = distance_max_, .tolerance = 1e-8};
+  if (!is_exact) search.steps_max = kStepsOfFrame;
+  distance_ = curve_zero(excess, search);
+  kept_ = 1 + excess(distance_);
 }
 
-double relative_volume(const PreparedMesh& prepared, const SparseGrid& grid,
-                       std::span<const Vec3f> displacement) {
-  const std::vector<Vec3f> none(grid.corners.size(), Vec3f::Zero());
-  return volume_of(prepared, grid, displacement) / volume_of(prepared, grid, none);
+void VolumeKeeper::apply(double distance, std::span<Vec3f> displacement) const {
+  if (distance == 0) return;
+  const auto step = static_cast<float>(distance);
+#pragma omp parallel for schedule(static)
+  for (size_t corner = 0; corner < displacement.size(); ++corner)
+    displacement[corner] += step * offsets_[corner];
 }
 
 }  // namespace burnish

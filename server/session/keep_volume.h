@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -24,8 +25,18 @@ class VolumeKeeper {
   /// per corner, in cells; per cell 0 to 1, how far it is edited.
   void measure(std::span<const Vec3f> displacement, std::span<const float> edited);
 
-  /// Adds the offset that was measured last. Shapes: one per corner, in cells.
-  void apply(std::span<Vec3f> displacement) const;
+  /// What is shown of a surface whose corners move this far, if something bounds their moves.
+  using Bounded = std::function<std::span<const Vec3f>(double distance)>;
+
+  /// Finds the distance anew for a surface that is bounded, where one gives the volume back. Visits
+  /// the whole surface about eight times. Needs: measure() of the surface that is not bounded.
+  void measure_bounded(const Bounded& bounded, bool is_exact);
+
+  /// Returns the distance that was measured last.
+  double distance() const { return distance_; }
+
+  /// Adds the offset of a distance. Shapes: one per corner, in cells.
+  void apply(double distance, std::span<Vec3f> displacement) const;
 
   /// Returns the volume with the offset that was measured last, over the scan's.
   double kept() const { return kept_; }
@@ -44,12 +55,8 @@ class VolumeKeeper {
   std::vector<Vec3f> centres_;  // per corner, of its piece of surface
   std::vector<Vec3f> offsets_;  // directions by how far the cells around are edited
   double distance_ = 0;         // cells per offset
+  double distance_max_ = 0;     // of the box's diagonal, and of growth
   double kept_ = 1;
 };
-
-/// Returns the volume of a displaced closed surface over the scan's. Shapes: one displacement per
-/// corner, in cells.
-double relative_volume(const PreparedMesh& prepared, const SparseGrid& grid,
-                       std::span<const Vec3f> displacement);
 
 }  // namespace burnish

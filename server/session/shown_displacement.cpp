@@ -1,5 +1,7 @@
 #include "server/session/shown_displacement.h"
 
+#include <algorithm>
+
 namespace burnish {
 
 static constexpr int kUsesPerMeasure = 8;
@@ -30,7 +32,7 @@ std::span<const Vec3f> ShownDisplacement::of(std::span<const Vec3f> solved,
   }
   if (!is_needed(controls, fields)) return solved;
   shown_.assign(solved.begin(), solved.end());
-  if (controls.keep_volume) return keep_volume(controls, fields, is_exact);
+  if (controls.keep_volume) return keep_volume(solved, controls, fields, is_exact);
   bound(controls, fields);
   return shown_;
 }
@@ -47,24 +49,28 @@ void ShownDisplacement::anchor_rims(const Fields& fields) {
   anchor_->apply(shown_);
 }
 
-std::span<const Vec3f> ShownDisplacement::keep_volume(const Controls& controls,
+std::span<const Vec3f> ShownDisplacement::keep_volume(std::span<const Vec3f> solved,
+                                                      const Controls& controls,
                                                       const Fields& fields, bool is_exact) {
   if (!volume_) {
     volume_.emplace(prepared_, grid_);
     uses_ = kUsesPerMeasure;
   }
-  const bool is_measured = is_exact || uses_ >= kUsesPerMeasure;
-  if (is_measured) {
-    volume_->measure(shown_, fields.edited());
+  const auto shown_at = [&](double distance) -> std::span<const Vec3f> {
+    std::copy(solved.begin(), solved.end(), shown_.begin());
+    volume_->apply(distance, shown_);
+    bound(controls, fields);
+    return shown_;
+  };
+  if (is_exact || uses_ >= kUsesPerMeasure) {
+    volume_->measure(solved, fields.edited());
+    if (controls.cap > 0 || fields.hold() || fields.rims())
+      volume_->measure_bounded(shown_at, is_exact);
+    kept_volume_ = volume_->kept();
     uses_ = 0;
   }
   ++uses_;
-  volume_->apply(shown_);
-  bound(controls, fields);
-  if (is_measured)
-    kept_volume_ = controls.cap > 0 || fields.hold() ? relative_volume(prepared_, grid_, shown_)
-                                                     : volume_->kept();
-  return shown_;
+  return shown_at(volume_->distance());
 }
 
 }  // namespace burnish

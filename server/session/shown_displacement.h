@@ -42,7 +42,8 @@ class ShownDisplacement {
   }
 
  private:
-  std::span<const Vec3f> keep_volume(const Controls& controls, const Fields& fields, bool is_exact);
+  std::span<const Vec3f> keep_volume(std::span<const Vec3f> solved, const Controls& controls,
+                                     const Fields& fields, bool is_exact);
   void bound(const Controls& controls, const Fields& fields);
   void anchor_rims(const Fields& fields);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 namespace burnish {
@@ -48,7 +49,70 @@ double first_zero_above(const Cubic& c, double limit) {
   return best;
 }
 
+/// Follows a curve that is below 0 at 0 to its zero.
+class ZeroAbove {
+ public:
+  ZeroAbove(const Curve& curve, const ZeroSearch& search, double at_zero)
+      : curve_(curve),
+        search_(search),
+        low_{0, at_zero},
+        best_(low_),
+        steps_left_(search.steps_max) {}
+
+  double find() {
+    constexpr double kFirstShare = 1e-6, kGrowth = 4;
+    double next = std::max(search_.guess, kFirstShare * search_.limit);
+    for (next = std::min(next, search_.limit); !step_to(next); next *= kGrowth)
+      if (next >= search_.limit || steps_left_ <= 0) return best_.place;
+    while (!is_zero(best_.value) && steps_left_ > 0) step_between();
+    return best_.place;
+  }
+
+ private:
+  struct Point {
+    double place, value;
+  };
+
+  bool is_zero(double value) const { return std::abs(value) <= search_.tolerance; }
+
+  /// Returns whether the value is not below 0 there.
+  bool step_to(double place) {
+    const Point point = {std::min(place, search_.limit), curve_(std::min(place, search_.limit))};
+    --steps_left_;
+    const bool is_much_nearer = std::abs(point.value) < std::abs(best_.value) - search_.tolerance;
+    if (is_much_nearer || (is_zero(point.value) && !is_zero(best_.value))) best_ = point;
+    if (point.value < 0) low_ = point;
+    if (point.value >= 0) high_ = point;
+    return point.value >= 0;
+  }
+
+  /// Takes the chord, and the middle where the chord has moved one end alone: a step of the curve
+  /// does not hold it up.
+  void step_between() {
+    const double width = high_.place - low_.place;
+    const double share = -low_.value / (high_.value - low_.value);
+    const bool takes_middle = width > width_ / 2;
+    width_ = width;
+    step_to(low_.place + width * (takes_middle ? 0.5 : share));
+  }
+
+  const Curve& curve_;
+  const ZeroSearch& search_;
+  Point low_, high_ = {}, best_;
+  double width_ = std::numeric_limits<double>::infinity();  // before the last step
+  int steps_left_;
+};
+
 }  // namespace
+
+double curve_zero(const Curve& curve, const ZeroSearch& search) {
+  const double at_zero = curve(0);
+  if (std::abs(at_zero) <= search.tolerance || !(search.limit > 0)) return 0;
+  if (at_zero < 0) return ZeroAbove(curve, search, at_zero).find();
+  ZeroSearch mirrored = search;
+  mirrored.guess = -search.guess;
+  return -ZeroAbove([&](double t) { return -curve(-t); }, mirrored, -at_zero).find();
+}
 
 double first_zero(const Cubic& c, double limit) {
   if (c[0] == 0 || !(limit > 0)) return 0;

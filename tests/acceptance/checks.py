@@ -172,8 +172,7 @@ def check_volume(facts, case, out):
         middle = vertices.mean(0)
         return np.einsum("ij,ij->i", a - middle, np.cross(b - middle, c - middle)).sum() / 6
     kept = volume(burnish.load_ply(out).vertices) / volume(facts.mesh.vertices)
-    limit = 2e-3 if case.has("--cap") else 1e-6  # the cap wins
-    assert abs(kept - 1) <= limit, f"{kept:.8f} of the volume is left"
+    assert abs(kept - 1) <= 1e-6, f"{kept:.8f} of the volume is left"
 
 
 def check_frame(facts, report, moved, frame):

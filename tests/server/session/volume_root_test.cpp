@@ -1,5 +1,6 @@
 #include "server/session/volume_root.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -21,6 +22,26 @@ TEST(VolumeRoot, ASmallSphereGrowsToItsFormerRadiusHoweverSmallItIs) {
 
 TEST(VolumeRoot, TooMuchIsTakenAway) {
   EXPECT_NEAR(first_zero({1.1 * 1.1 * 1.1 - 1, 3 * 1.1 * 1.1, 3.3, 1}, 2), -0.1, 1e-14);
+}
+
+TEST(VolumeRoot, ACurveHasItsZeroOnEitherSideWhateverIsGuessed) {
+  for (const double zero : {-3.0, -0.01, 0.0, 0.4, 7.0})
+    for (const double guess : {-5.0, 0.0, 1e-7, 0.4, 50.0}) {
+      int steps = 0;
+      const auto curve = [&](double t) {
+        ++steps;
+        return std::tanh(5 * (t - zero)) + 0.01 * (t - zero);
+      };
+      EXPECT_NEAR(curve_zero(curve, {.guess = guess, .limit = 10, .tolerance = 1e-9}), zero, 1e-8)
+          << zero << " " << guess;
+      EXPECT_LE(steps, 41);
+    }
+}
+
+TEST(VolumeRoot, ACurveWithoutAZeroGivesItsNearestPlace) {
+  const auto saturates = [](double t) { return std::min(t, 2.0) - 3; };
+  EXPECT_NEAR(curve_zero(saturates, {.guess = 2, .limit = 10, .tolerance = 1e-6}), 2, 1e-6);
+  EXPECT_EQ(curve_zero(saturates, {.guess = 2, .limit = 0, .tolerance = 1e-6}), 0);
 }
 
 TEST(VolumeRoot, TheFirstZeroOnTheWayCounts) {
