@@ -1,6 +1,8 @@
 #include "server/session/edited_fields.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 
 namespace burnish {
 
@@ -71,10 +73,27 @@ static bool needs_colours(const Edit& edit) {
   return std::holds_alternative<SetColour>(edit.change) || (stroke && stroke->brush.colour);
 }
 
+/// The least volume that a scan can keep, over its area times its diagonal. Below that the volume
+/// is what rounding leaves where pieces that are inside out take it from the others.
+static constexpr double kVolumeShareMin = 1e-6;
+
+static Status check_volume(const PreparedMesh& prepared) {
+  if (!is_closed(prepared))
+    return failed_precondition("the scan is not closed, so it has no volume to keep");
+  const MeshStatistics& scan = prepared.statistics;
+  const double least = kVolumeShareMin * scan.area * scan.diagonal();
+  if (std::abs(scan.signed_volume) >= least) return Status::ok();
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "the scan's volume of %.3g cannot be kept: it must be at least %.3g; a piece that "
+                "is inside out takes its volume from the others",
+                std::abs(scan.signed_volume), least);
+  return failed_precondition(text);
+}
+
 Status EditedFields::check_new(const Edit& edit) const {
   const auto* bounds = std::get_if<SetControls>(&edit.change);
-  if (bounds && bounds->controls.keep_volume && !is_closed(prepared_))
-    return failed_precondition("the scan is not closed, so it has no volume to keep");
+  if (bounds && bounds->controls.keep_volume) RETURN_IF_ERROR(check_volume(prepared_));
   if (needs_colours(edit) && prepared_.colours.empty())
     return failed_precondition("the scan has no colours to edit");
   if (const auto* cells = std::get_if<SetCellFields>(&edit.change))

@@ -128,6 +128,19 @@ TEST_F(FilterCommand, AKeptVolumeIsReportedAndALostOneToldWithItsFigure) {
   EXPECT_THAT(output_, HasSubstr("the largest move wins"));
 }
 
+TEST_F(FilterCommand, AVolumeOfNothingIsRefusedWithItsFigure) {
+  TriangleMesh two = make_icosphere(3, 1);
+  const TriangleMesh other = two;
+  const auto first = static_cast<uint32_t>(two.vertices.size());
+  for (const Vec3d& v : other.vertices) two.vertices.push_back(v + Vec3d(4, 0, 0));
+  for (const Triangle& t : other.triangles)
+    two.triangles.push_back({t[1] + first, t[0] + first, t[2] + first});
+  ASSERT_TRUE(write_mesh(two, in()).is_ok());
+  EXPECT_EQ(burnish({"filter", in(), out(), "--beta", "0", "--keep-volume", "on"}), 1);
+  EXPECT_THAT(output_, HasSubstr("must be at least 0.00016"));
+  EXPECT_FALSE(std::filesystem::exists(out()));
+}
+
 TEST_F(FilterCommand, APresetHasAStrengthAndAWaveALength) {
   const auto radius_after = [&](const std::vector<std::string>& options) {
     std::vector<std::string> arguments = {"filter", in(), out(), "--depth", "5"};

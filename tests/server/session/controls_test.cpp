@@ -268,6 +268,30 @@ TEST(Controls, RefuseAVolumeOfAScanThatIsNotClosed) {
   EXPECT_THAT(status.message(), HasSubstr("not closed"));
 }
 
+/// A sphere beside one that is inside out and has this radius.
+TriangleMesh sphere_and_hollow(double radius) {
+  TriangleMesh two = make_icosphere(3, 1);
+  const TriangleMesh hollow = make_icosphere(3, radius);
+  const auto of_one = static_cast<uint32_t>(two.vertices.size());
+  for (const Vec3d& v : hollow.vertices) two.vertices.push_back(v + Vec3d(4, 0, 0));
+  for (const Triangle& t : hollow.triangles)
+    two.triangles.push_back({t[1] + of_one, t[0] + of_one, t[2] + of_one});
+  return two;
+}
+
+TEST(Controls, AVolumeOfNothingCannotBeKept) {
+  const Controls keep{.keep_volume = true};
+  for (const double radius : {1.0, 1 + 1e-7}) {
+    const auto session = controlled(sphere_and_hollow(radius), {});
+    const Status status = session->edited().check_new({"1", SetControls{keep}});
+    EXPECT_EQ(status.code(), StatusCode::kFailedPrecondition);
+    EXPECT_THAT(status.message(), HasSubstr("must be at least 0.000"));
+    EXPECT_THAT(status.message(), HasSubstr("inside out"));
+  }
+  const auto session = controlled(sphere_and_hollow(0.9), {});
+  EXPECT_TRUE(session->edited().check_new({"1", SetControls{keep}}).is_ok());
+}
+
 TEST(Controls, AProtectedRegionDoesNotMoveWhateverIsEdited) {
   const TriangleMesh sphere = make_icosphere(4, 1);
   const auto session = controlled(sphere, {});
