@@ -1,25 +1,36 @@
 #include "client/pages/page_requests.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace burnish {
 
 static constexpr uint64_t kBytesInFlightMin = 64 * 1024;
 static constexpr double kRoundTrips = 2;
 static constexpr size_t kItemsInFlightMax = 1024;
+static constexpr double kPlanSecondsMax = 0.75;  // no plans follow each other more slowly
 // A peer that is alive answers within this, whatever else it does.
 static constexpr std::chrono::seconds kPatience{5};
 static constexpr double kLateTimes = 4;  // what the link is expected to take
 static constexpr double kLateSecondsMax = 60;
 
-uint64_t bytes_in_flight_max(const LinkSpeed& link) {
-  const double bytes = kRoundTrips * link.bytes_per_second * link.round_trip_seconds;
+uint64_t bytes_in_flight_max(const LinkSpeed& link, double until_next_plan_seconds) {
+  const double seconds = kRoundTrips * link.round_trip_seconds + until_next_plan_seconds;
+  const double bytes = link.bytes_per_second * seconds;
   return std::max(kBytesInFlightMin, static_cast<uint64_t>(std::min(bytes, 1e9)));
+}
+
+// Expects the next plan after as long as this one came after the last, while plans follow each
+// other.
+double PageRequests::until_next_plan_seconds(Time now) {
+  const std::chrono::duration<double> since = now - std::exchange(planned_at_, now);
+  return since.count() > kPlanSecondsMax ? 0 : since.count();
 }
 
 void PageRequests::make_plan(std::vector<MissingItem>& missing, const LinkSpeed& link, Time now,
                              const std::function<bool(PageItem)>& is_wanted) {
   plan_ = {};
+  const double until_next = until_next_plan_seconds(now);
   end_late_flights(now);
   std::erase_if(missing, [&](const MissingItem& one) {
     return is_in_flight(one.item) || !failures_.may_ask(one.item, now);
@@ -27,7 +38,7 @@ void PageRequests::make_plan(std::vector<MissingItem>& missing, const LinkSpeed&
   const size_t looked_at = std::min(missing.size(), kItemsInFlightMax);
   std::ranges::partial_sort(missing, missing.begin() + static_cast<ptrdiff_t>(looked_at),
                             is_more_urgent);
-  const uint64_t bytes_max = bytes_in_flight_max(link);
+  const uint64_t bytes_max = bytes_in_flight_max(link, until_next);
   for (size_t i = 0; i < looked_at; ++i) {
     if (!has_room_for(missing[i].bytes, bytes_max))
       cancel_unwanted(bytes_max, missing[i].bytes, is_wanted);

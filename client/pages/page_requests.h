@@ -17,9 +17,10 @@ struct LinkSpeed {
   double round_trip_seconds = 0;
 };
 
-/// Returns how many bytes may be on their way at once: two round trips' worth, so that the link
-/// never waits for a request, and a little more than the first picture needs.
-uint64_t bytes_in_flight_max(const LinkSpeed& link);
+/// Returns how many bytes may be on their way at once: two round trips' worth and what comes until
+/// the next plan, so that the link never waits for a request, and a little more than the first
+/// picture needs.
+uint64_t bytes_in_flight_max(const LinkSpeed& link, double until_next_plan_seconds = 0);
 
 /// Decides for each picture what to ask for and what to cancel. What is asked for is in flight
 /// until it comes, fails, is cancelled or is late.
@@ -64,10 +65,13 @@ class PageRequests {
                        const std::function<bool(PageItem)>& is_wanted);
   void ask(const MissingItem& missing, const LinkSpeed& link, Time now);
 
+  double until_next_plan_seconds(Time now);
+
   std::map<PageItem, Flight> in_flight_;
   uint64_t bytes_in_flight_ = 0;
   PageFailures failures_;
   Plan plan_;
+  Time planned_at_{};
 };
 
 }  // namespace burnish

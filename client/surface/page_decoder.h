@@ -29,7 +29,7 @@ class PageDecoder {
   std::vector<DecodedPage> take();
 
  private:
-  static constexpr size_t kPagesMax = 16;
+  static constexpr size_t kPagesMax = 64;  // as many as a slow picture leaves time for
 
   std::set<PageId> known_;
   std::unique_ptr<PageDesk> desk_;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <deque>
 #include <utility>
@@ -7,8 +8,11 @@
 namespace burnish {
 namespace {
 
-/// A part of the time between two pictures.
-constexpr std::chrono::milliseconds kTurn{4};
+using std::chrono::steady_clock;
+
+/// Decoding takes a third of the time since the last turn, or this: slow pictures are few, and must
+/// not make decoding slow too.
+constexpr steady_clock::duration kTurnMin = std::chrono::milliseconds(4);
 
 class LoneDesk final : public PageDesk {
  public:
@@ -23,11 +27,13 @@ class LoneDesk final : public PageDesk {
   // Decodes one page at least, so that each call gets on.
   std::vector<DecodedPage> take() override {
     std::vector<DecodedPage> done;
-    const auto end = std::chrono::steady_clock::now() + kTurn;
-    while (!jobs_.empty() && (done.empty() || std::chrono::steady_clock::now() < end)) {
+    const steady_clock::time_point begin = steady_clock::now();
+    const steady_clock::time_point end = begin + std::max(kTurnMin, (begin - ended_at_) / 3);
+    while (!jobs_.empty() && (done.empty() || steady_clock::now() < end)) {
       done.push_back(decode_in_scan(jobs_.front(), head_));
       jobs_.pop_front();
     }
+    ended_at_ = steady_clock::now();
     if (!jobs_.empty()) on_news_();
     return done;
   }
@@ -36,6 +42,7 @@ class LoneDesk final : public PageDesk {
   const PageHead head_;
   const std::function<void()> on_news_;
   std::deque<EncodedPage> jobs_;
+  steady_clock::time_point ended_at_;  // the last turn
 };
 
 }  // namespace

@@ -9,8 +9,6 @@
 
 namespace burnish {
 
-static constexpr std::chrono::microseconds kPicture{16'667};
-
 PageFlight::PageFlight(const SyntheticScan& scan, const PageFlightOptions& options)
     : scan_(scan),
       options_(options),
@@ -34,7 +32,7 @@ void PageFlight::picture(const Camera& camera) {
   check_cut();
   check_budgets();
   check_card();
-  now_ += kPicture;
+  now_ += options_.picture_interval;
 }
 
 void PageFlight::decode() {
@@ -74,7 +72,9 @@ void PageFlight::check_budgets() {
   ASSERT_LE(loader_.cache().resident_bytes(), options_.budget.resident_bytes);
   ASSERT_LE(loader_.cache().slots().taken(), options_.budget.slots());
   if (loader_.in_flight().count_in_flight() > 1) {
-    ASSERT_LE(loader_.in_flight().bytes_in_flight(), bytes_in_flight_max(options_.link.speed));
+    const double until_next = std::chrono::duration<double>(options_.picture_interval).count();
+    ASSERT_LE(loader_.in_flight().bytes_in_flight(),
+              bytes_in_flight_max(options_.link.speed, until_next));
   }
 }
 

@@ -14,11 +14,12 @@ struct PageFlightOptions {
   bool is_software = false;
   SimulatedLinkOptions link;
   int decodes_per_picture = 1000;
+  std::chrono::microseconds picture_interval{16'667};
 };
 
-/// A client that flies over a synthetic scan at 60 pictures a second of simulated time. Fails the
-/// test at the first picture whose cut is not legal, has a hole or is over a budget, or whose card
-/// does not hold what is drawn.
+/// A client that flies over a synthetic scan at 60 pictures a second of simulated time, or fewer.
+/// Fails the test at the first picture whose cut is not legal, has a hole or is over a budget, or
+/// whose card does not hold what is drawn.
 class PageFlight {
  public:
   PageFlight(const SyntheticScan& scan, const PageFlightOptions& options);

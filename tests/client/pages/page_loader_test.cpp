@@ -257,6 +257,14 @@ TEST(PageLoader, DecodingAFewPagesAPictureEndsAtTheSameCut) {
   EXPECT_EQ(fresh_cut(kNear, slow), fresh_cut(kNear, {}));
 }
 
+TEST(PageLoader, SlowPicturesGetAllThatAFastLinkBringsBetweenThem) {
+  PageFlightOptions options;
+  options.link.speed = {20e6, 0.001};
+  options.picture_interval = std::chrono::milliseconds(300);
+  PageFlight flight(loaded_scan(), options);
+  EXPECT_LE(flight.settle(kWhole) / 0.3, 10);
+}
+
 TEST(PageLoader, SoftwareRenderingStaysWithinItsTriangles) {
   PageFlightOptions options;
   options.is_software = true;

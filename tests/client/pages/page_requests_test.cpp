@@ -44,6 +44,17 @@ TEST_F(PageRequestsAt, TwoRoundTripsAreInFlightOnAKnownLink) {
   EXPECT_EQ(plan(pages(0, 100), {6.25e6, 0.04}).ask.size(), 50u);
 }
 
+TEST_F(PageRequestsAt, WhatComesUntilTheNextPlanIsInFlightToo) {
+  const LinkSpeed link = {6.25e6, 0.04};
+  now_ += std::chrono::hours(1);
+  plan(pages(0, 1000), link);
+  EXPECT_LE(requests_.bytes_in_flight(), bytes_in_flight_max(link));
+  now_ += std::chrono::milliseconds(100);
+  plan(pages(0, 1000), link);
+  EXPECT_EQ(requests_.bytes_in_flight(), 1'120'000u);
+  EXPECT_EQ(bytes_in_flight_max(link, 0.1), 1'125'000u);
+}
+
 TEST_F(PageRequestsAt, ACoarserPageGoesBeforeAFinerOneOfTheSameUrgency) {
   const auto& asked =
       plan({{PageItem::of_page(1), kPartBytes, 5}, {PageItem::of_page(9), kPartBytes, 5}}).ask;
