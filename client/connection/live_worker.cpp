@@ -76,8 +76,7 @@ Status SessionLink::Worker::converse() {
 void SessionLink::Worker::speak_and_listen(LiveStream& stream) {
   while (!stream.status() && !is_stopping() && !conversation_.must_leave()) {
     if (auto message = stream.take_message()) {
-      conversation_.hear(from_wire(std::move(*message)));
-      tell_user();
+      if (conversation_.hear(from_wire(std::move(*message)))) tell_user();
       continue;
     }
     if (stream.can_write()) {

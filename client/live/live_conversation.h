@@ -51,8 +51,9 @@ class LiveConversation {
 
   /// A stream begins, to the server to which the route leads now.
   void begin();
-  /// Takes a message of the server, as from_wire() has parsed it.
-  void hear(Result<std::optional<ServerMessage>> said);
+  /// Takes a message of the server, as from_wire() has parsed it. Returns whether the next picture
+  /// may differ by it. An echo only tells the round trip: that shows with the next picture.
+  bool hear(Result<std::optional<ServerMessage>> said);
   /// Returns the next message, if there is one to send now.
   std::optional<ClientMessage> next();
   /// Returns whether the stream is to end: it is silent, has said farewell, or was not understood.

@@ -13,13 +13,15 @@ static double ms_since(uint64_t client_time_us, LiveConversation::Time now) {
   return client_time_us == 0 || passed < 0 ? 0 : static_cast<double>(passed) / 1000;
 }
 
-void LiveConversation::hear(Result<std::optional<ServerMessage>> said) {
+bool LiveConversation::hear(Result<std::optional<ServerMessage>> said) {
   last_heard_ = options_.clock();
   if (!said.is_ok()) {
     failure_ = said.status();
-  } else if (*said) {  // of a newer server otherwise
-    failure_ = std::visit([this](auto& message) { return take_in(message); }, **said);
+    return true;
   }
+  if (!*said) return false;  // of a newer server
+  failure_ = std::visit([this](auto& message) { return take_in(message); }, **said);
+  return !std::holds_alternative<Heartbeat>(**said);
 }
 
 Status LiveConversation::take_in(ProgressReport& report) {

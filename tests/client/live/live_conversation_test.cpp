@@ -38,7 +38,7 @@ class Conversations : public testing::Test {
     return {Edit{id, SetGradientScale{0.5}}};
   }
 
-  void hear(ServerMessage message) { talk_.hear(std::optional(std::move(message))); }
+  bool hear(ServerMessage message) { return talk_.hear(std::optional(std::move(message))); }
 
   /// Returns all that is said now.
   std::vector<ClientMessage> say() {
@@ -196,8 +196,15 @@ TEST_F(Conversations, AnEchoedHeartbeatTellsTheRoundTrip) {
   const auto beats = of_kind<Heartbeat>(say());
   ASSERT_FALSE(beats.empty());
   now_ += milliseconds(30);
-  hear(beats.back());
+  EXPECT_FALSE(hear(beats.back())) << "it is worth no picture";
   EXPECT_DOUBLE_EQ(talk_.take().stats.rtt_ms, 30);
+}
+
+TEST_F(Conversations, AllButEchoesAreWorthAPicture) {
+  talk_.begin();
+  EXPECT_TRUE(hear(welcome()));
+  EXPECT_TRUE(hear(ProgressReport{}));
+  EXPECT_TRUE(talk_.hear(invalid_argument("a frame of 3 bytes")));
 }
 
 TEST_F(Conversations, TheWaitForAnotherStreamGrowsUpToItsLimit) {
