@@ -97,9 +97,10 @@ class Engine {
     scope.postMessage({ kind: "lost" });
   }
 
+  /** A size that is set empties the canvas, also the same one: then the core would see no reason to draw. */
   private setSize({ width, height }: { width: number; height: number }): void {
-    this.canvas.width = width;
-    this.canvas.height = height;
+    if (this.canvas.width !== width) this.canvas.width = width;
+    if (this.canvas.height !== height) this.canvas.height = height;
   }
 
   private tell(message: object): void {

@@ -1,5 +1,6 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
+import type { Worker as Driven } from "playwright-core";
 import type { Pictures } from "../../../client/web/page/src/protocol";
 import { Bench, type Visit } from "./harness";
 
@@ -84,6 +85,35 @@ test("CanvasGetsItsSizeWithThePicture", () =>
     await engine.line("draw");
     await engine.said("resized to 80");
     await engine.said("ticked");
+  }));
+
+declare const self: { widths: number[] };
+
+/** Lets the engine note the widths that its canvas is given. */
+const noteWidths = (worker: Driven) =>
+  worker.evaluate(() => {
+    const { get, set } = Object.getOwnPropertyDescriptor(OffscreenCanvas.prototype, "width")!;
+    self.widths = [];
+    const note = function (this: OffscreenCanvas, width: number) {
+      self.widths.push(width);
+      set!.call(this, width);
+    };
+    Object.defineProperty(OffscreenCanvas.prototype, "width", { get, set: note });
+  });
+
+test("SizeThatIsTheSameDoesNotEmptyTheCanvas", () =>
+  withEngine(async (engine) => {
+    await engine.said("started with 'text of before'");
+    const worker = engine.visit.page.workers().find((one) => one.url().endsWith("/real_engine.js"))!;
+    await noteWidths(worker);
+    for (const width of [64, 80, 80]) {
+      await engine.send({ kind: "resize", width, height: 48, pixelRatio: 1 });
+      await engine.line("draw");
+      await engine.said(`resized to ${width}`);
+    }
+    await engine.line("who");
+    await engine.said("drawn by the card");
+    assert.deepEqual(await worker.evaluate(() => self.widths), [80]);
   }));
 
 test("PageThatIsNotSeenTicksByTimer", () =>
