@@ -113,10 +113,8 @@ bool Front::is_at_rest(const Shown& next, Time now) const {
 Status Front::draw_surface(bool is_smooth) {
   if (!host_.set_smooth) return workspace_.draw();
   host_.set_smooth(is_smooth);
-  const auto begun = std::chrono::steady_clock::now();
   Status drawn = workspace_.draw();
-  surface_ms_ =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
+  surface_ms_ = host_.draw_ms();
   host_.set_smooth(true);
   return drawn;
 }

@@ -31,6 +31,8 @@ struct FrontHost {
   /// Says how smooth edges are from the next picture on, where processors draw. Empty with a card:
   /// they are always smooth.
   std::function<void(bool)> set_smooth;
+  /// Returns how long processors drew the last picture; with set_smooth.
+  std::function<double()> draw_ms;
   /// Makes a file known by its name, for Workspace::import_scan().
   std::function<void(const GivenFile&)> give;
   std::function<Result<std::string>(const GivenFile&)> read;

@@ -17,6 +17,7 @@ Result<std::unique_ptr<PageRenderer>> begin_drawing(FrontHost& host, WorkspaceOp
   host.set_smooth = [&renderer](bool is_smooth) {
     renderer.set_sampling(is_smooth ? RasterSampling::kFour : RasterSampling::kOne);
   };
+  host.draw_ms = [&renderer] { return renderer.draw_ms(); };
   options.budget = processor_budget();
   options.budget.resident_bytes = kPageMemoryBytes;
   return std::unique_ptr<PageRenderer>(std::move(processor));

@@ -93,6 +93,8 @@ core_program(core client/gl client/web/core/card)
 # Every browser with JSPI has registers of four numbers.
 core_folder(client/raster SPEED -O2 EXCEPT work_crew)
 target_compile_options(client_raster PRIVATE -msimd128)
+set_source_files_properties(${root}/client/raster/near_clip.cpp ${root}/client/raster/raster_page_renderer.cpp
+  ${root}/client/raster/shaded_scene.cpp PROPERTIES COMPILE_OPTIONS -Oz)  # run once a picture, or seldom
 core_folder(client/web/core/raster)
 core_program(core_raster client/raster client/web/core/raster)
 
