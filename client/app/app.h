@@ -62,6 +62,8 @@ class App {
   void handle_key(const std::string& key);
   void do_action(Action action);
   void take_screenshot(const std::filesystem::path& file);
+  void save_picture_at_rest(std::chrono::steady_clock::time_point now);
+  Result<Image> picture_without_rings();
   void ask_for_scan();
   void ask_for_picture();
   void open_files(const std::vector<std::filesystem::path>& files);
@@ -149,6 +151,13 @@ class App {
   };
   Shown next_shown() const;
   Shown shown_;
+
+  /// A picture that the user saves waits for full detail, but not for ever.
+  struct WantedPicture {
+    std::filesystem::path file;
+    std::chrono::steady_clock::time_point until;
+  };
+  std::optional<WantedPicture> wanted_picture_;
   bool is_surface_new_ = false;                       // the window does not show it yet
   std::chrono::steady_clock::time_point changed_at_;  // but for smoothness
   std::optional<std::chrono::steady_clock::time_point> begun_at_;  // the card draws that picture

@@ -4,10 +4,13 @@
 #include <ctime>
 
 #include "client/app/app.h"
+#include "client/app/words.h"
 #include "client/model/document_actions.h"
 #include "client/scene/png_writer.h"
 
 namespace burnish {
+
+static constexpr std::chrono::seconds kPicturePatience{10};
 
 static std::string picture_name() {
   char name[64];
@@ -75,11 +78,38 @@ void App::ask_for_picture() {
 
 void App::take_screenshot(const std::filesystem::path& file) {
   workspace_->record_picture(file);
-  const auto image = renderer_->pages().read_pixels();
-  const Status written = image.is_ok() ? write_png(*image, file) : image.status();
+  wanted_picture_ = WantedPicture{file, std::chrono::steady_clock::now() + kPicturePatience};
+}
+
+// Rings of brushes are no part of the surface. The window's own picture has them again at once.
+Result<Image> App::picture_without_rings() {
+  PageRenderer& pages = renderer_->pages();
+  const Document* const document = workspace_->document();
+  if (!document) return pages.read_pixels();
+  DrawStyle style = shown_.style;
+  style.rings.clear();
+  renderer_->set_smooth(true);
+  const Viewport& viewport = workspace_->viewport;
+  RETURN_IF_ERROR(
+      pages.draw(viewport.camera, viewport.size(), style, document->surface().patches()));
+  Result<Image> picture = pages.read_pixels();
+  renderer_->set_smooth(shown_.is_smooth);
+  RETURN_IF_ERROR(workspace_->draw());
+  return picture;
+}
+
+void App::save_picture_at_rest(std::chrono::steady_clock::time_point now) {
+  if (!wanted_picture_ || (!is_surface_at_rest() && now < wanted_picture_->until)) return;
+  const std::filesystem::path file = std::exchange(wanted_picture_, std::nullopt)->file;
+  const Result<Image> picture = picture_without_rings();
+  const Status written = picture.is_ok() ? write_png(*picture, file) : picture.status();
   if (!written.is_ok()) return workspace_->log.failure("screenshot", written);
   std::error_code ignored;
-  workspace_->log.info("saved " + std::filesystem::absolute(file, ignored).string());
+  const std::string saved = "saved " + std::filesystem::absolute(file, ignored).string();
+  const Document* const document = workspace_->document();
+  const std::string lack = document ? simplified_text(document->surface().status()) : "";
+  if (lack.empty()) return workspace_->log.info(saved);
+  workspace_->log.warning(saved + ": " + lack);
 }
 
 }  // namespace burnish

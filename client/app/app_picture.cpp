@@ -19,6 +19,7 @@ Status App::draw() {
   const auto now = std::chrono::steady_clock::now();
   const bool is_new = shows_surface() && !(is_idle_ && is_surface_at_rest());
   const Status drawn = is_new ? update_surface(now) : Status::ok();
+  if (shows_surface()) save_picture_at_rest(now);
   const bool has_new_panels = window_->end_frame();
   if (std::exchange(is_surface_new_, false) || has_new_panels) show_picture();
   write_places();

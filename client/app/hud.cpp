@@ -2,6 +2,7 @@
 
 #include "client/app/places.h"
 #include "client/app/theme.h"
+#include "client/app/words.h"
 #include "client/model/figures.h"
 
 namespace burnish {
@@ -55,6 +56,8 @@ void Hud::draw(Workspace& workspace) {
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoSavedSettings);
   const Chip chip = chip_of(document);
   ImGui::TextColored(chip.colour, "%s", chip.text);
+  const std::string simplified = simplified_text(document.surface().status());
+  if (!simplified.empty()) faint_text("%s", simplified.c_str());
   if (shows_figures && has_room && document.stats().frames > 0) draw_stats(document);
   if (workspace.viewport.navigate_mode) faint_text("left button turns the view (N)");
   note_window("Figures over the picture");

@@ -1,5 +1,6 @@
 #include "client/app/words.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <ctime>
 #include <imgui.h>
@@ -28,6 +29,16 @@ std::string day_of(int64_t unix_seconds) {
   localtime_r(&seconds, &local);
   char text[32];
   std::strftime(text, sizeof text, "%F", &local);
+  return text;
+}
+
+std::string simplified_text(const CutStatus& status) {
+  if (status.is_full_detail || status.reason == CutReason::kMoving) return {};
+  // A picture with all triangles in sight may have coarse ones at its border.
+  const double percent = std::min(100 * status.drawn_part(), 99.0);
+  char text[32];
+  std::snprintf(text, sizeof text, percent < 10 ? "simplified, %.2g %%" : "simplified, %.0f %%",
+                percent);
   return text;
 }
 

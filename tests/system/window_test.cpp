@@ -1,5 +1,8 @@
 #include <csignal>
+#include <filesystem>
+#include <optional>
 
+#include "client/scene/png_reader.h"
 #include "tests/system/link.h"
 #include "tests/system/window_fixture.h"
 
@@ -97,6 +100,38 @@ TEST_F(WindowTest, TheWheelNeverLosesTheScan) {
         clay += image.pixel(x, y)[0] > image.pixel(x, y)[2] + 5;
     return clay > 20;
   })) << window_->output();
+}
+
+// Pure white: nothing else in the picture is.
+int ring_pixels(const Image& image) {
+  int count = 0;
+  for (size_t i = 0; i < image.rgb.size(); i += 3)
+    count += image.rgb[i] == 255 && image.rgb[i + 1] == 255 && image.rgb[i + 2] == 255;
+  return count;
+}
+
+std::optional<std::filesystem::path> picture_in(const std::filesystem::path& folder) {
+  for (const auto& file : std::filesystem::directory_iterator(folder))
+    if (file.path().extension() == ".png") return file.path();
+  return std::nullopt;
+}
+
+TEST_F(WindowTest, ASavedPictureHasNoRing) {
+  const auto before = std::filesystem::current_path();
+  const auto folder = server_->folder / "pictures";
+  std::filesystem::create_directory(folder);
+  std::filesystem::current_path(folder);  // of the window too
+  open_window();
+  std::filesystem::current_path(before);
+  settle();
+  screen_->move(kPictureX, kPictureY);
+  EXPECT_TRUE(eventually([&] { return ring_pixels(screen_->capture()) > 50; }));
+  screen_->key({"F12"});
+  ASSERT_TRUE(eventually([&] { return picture_in(folder).has_value(); }));
+  const auto saved = read_png(*picture_in(folder), kImageSidePixelsMax);
+  ASSERT_TRUE(saved.is_ok()) << saved.status().message();
+  EXPECT_EQ(ring_pixels(*saved), 0);
+  EXPECT_TRUE(eventually([&] { return ring_pixels(screen_->capture()) > 50; }));
 }
 
 // At 200 % there is one column, and the history is near its end.
