@@ -2,18 +2,21 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
+import { hasFirefox } from "../browser";
 import { Lab, difference, until, type Pixels, type Visit } from "./lab";
 
 const without = new Lab("best", "plain");
 const losing = new Lab("card");
+const inFirefox = new Lab("best", "firefox");
+const labs = hasFirefox ? [without, losing, inFirefox] : [without, losing];
 before(async () => {
-  for (const lab of [without, losing]) {
+  for (const lab of labs) {
     await lab.start();
     await lab.importTablet();
   }
 });
 after(async () => {
-  for (const lab of [without, losing]) await lab.stop();
+  for (const lab of labs) await lab.stop();
 });
 
 declare const self: { lastContext?: WebGL2RenderingContext };
@@ -88,6 +91,30 @@ test("SavedPictureHasSmoothEdgesThoughTheCameraMoves", () =>
     await visit.replay(["camera 26 20", "camera 25 20"]);
     assert.deepEqual(difference(still, await visit.picture()), { mean: 0, most: 0 });
   }));
+
+const noFirefox = hasFirefox ? false : "there is no firefox-esr; deploy/setup --web installs it";
+
+test("FirefoxKeepsItsPictureAtFullDetailAndDrawsTheNext", { skip: noFirefox }, () =>
+  inFirefox.visit(
+    async (visit) => {
+      await visit.openScan("tablet");
+      await visit.page.getByText("full detail").first().waitFor();
+      const before = parts(await visit.pixels());
+      const changed = async () => difference(before, parts(await visit.pixels())).mean;
+      for (const height of [701, 700]) await visit.page.setViewportSize({ width: 1024, height });
+      await until(changed, (mean) => mean < 1);
+      await visit.replay(["camera 60 10"]);
+      await until(changed, (mean) => mean > 2);
+      const session = await visit.session();
+      await visit.drag([0.4, 0.5], [0.6, 0.5]);
+      await until(
+        async () => (await inFirefox.state(session)).edits,
+        (edits) => edits === 1,
+      );
+    },
+    {},
+    /style-src-elem/, // the driver's own, for its screenshots
+  ));
 
 /** Takes the graphics context away, as a driver does. */
 async function loseContext(visit: Visit): Promise<void> {
