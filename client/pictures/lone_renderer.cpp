@@ -1,6 +1,7 @@
 #include "client/pictures/lone_renderer.h"
 
 #include "client/gl/capabilities.h"
+#include "client/gl/context_egl.h"
 #include "client/gl/gl_page_renderer.h"
 #include "client/raster/raster_page_renderer.h"
 

@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "client/gl/context_egl.h"
 #include "client/scene/page_renderer.h"
 
 namespace burnish {
@@ -18,7 +17,7 @@ class LoneRenderer {
   bool has_card() const { return context_ != nullptr; }
 
  private:
-  std::unique_ptr<EglContext> context_;  // outlives the renderer
+  std::shared_ptr<void> context_;  // of OpenGL; outlives the renderer
   std::unique_ptr<PageRenderer> renderer_;
 };
 

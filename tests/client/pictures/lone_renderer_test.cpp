@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "client/gl/capabilities.h"
+#include "client/gl/context_egl.h"
 
 namespace burnish {
 namespace {

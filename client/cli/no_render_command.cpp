@@ -1,7 +1,0 @@
-#include "client/cli/commands.h"
-
-namespace burnish {
-
-void add_render_command(CommandTable&) {}  // a build without OpenGL cannot draw
-
-}  // namespace burnish
