@@ -314,6 +314,18 @@ test("KeysOfOnesOwnStayAndTakeNoOther", () =>
     await key("W").waitFor();
   }));
 
+test("SimplifiedPictureIsSaidOverIt", () =>
+  bench.visitSession(async (visit) => {
+    const over = visit.page.getByRole("group", { name: "Figures over the picture" });
+    const show = (status: string) => visit.document({ view: { ...session.view, status } });
+    await show("40 % of 2.25 M triangles: loading, 1.3 MB left");
+    await over.getByText("simplified, 40 %").waitFor();
+    for (const status of ["100 % of 20000 triangles: moving", "full detail"]) {
+      await show(status);
+      await over.getByText("simplified").waitFor({ state: "detached" });
+    }
+  }));
+
 test("SplitLineOverThePictureMovesByPointerAndKeys", () =>
   bench.visitSession(async (visit) => {
     const line = visit.page.getByRole("separator", { name: "Line between original and edited" });

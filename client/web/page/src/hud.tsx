@@ -11,6 +11,12 @@ function chipOf(document: Document): [string, string] {
   return [document.state, document.settled ? "good" : "busy"];
 }
 
+/** Returns what to say by the picture of a status as "40 % of 2.25 M triangles: loading"; nothing while it moves. */
+function simplified(status: string): string {
+  const part = /^([\d.]+) % of (?!.*: moving$)/.exec(status)?.[1];
+  return part ? `simplified, ${part === "100" ? "99" : part} %` : "";
+}
+
 export function Hud({ document, figures }: { document: Document; figures: boolean }) {
   const [text, tone] = chipOf(document);
   return (
@@ -18,6 +24,7 @@ export function Hud({ document, figures }: { document: Document; figures: boolea
       <div class={tone} role="status">
         {text}
       </div>
+      <div class="faint">{simplified(document.view.status)}</div>
       {figures && <Figures figures={document.figures} />}
       {document.tool === "look" && <div class="faint">left button turns the view (N)</div>}
     </div>
