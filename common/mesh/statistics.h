@@ -9,8 +9,8 @@
 namespace burnish {
 
 /// Facts that a user wants to know about a scan before editing it. An edge is an unordered pair of
-/// places of vertices: seams of textures are no boundary. Triangles with two vertices at one place have
-/// none, and copies of a triangle none besides its own (see SurfaceTriangles).
+/// places of vertices: seams of textures are no boundary. Triangles with two vertices at one place
+/// have none, and copies of a triangle none besides its own (see SurfaceTriangles).
 struct MeshStatistics {
   uint64_t vertices = 0;
   uint64_t triangles = 0;
