@@ -1,5 +1,6 @@
 #include "client/cli/controls_options.h"
 
+#include "client/cli/in_range.h"
 #include "common/base/limits.h"
 
 namespace burnish {
@@ -19,7 +20,7 @@ void add_controls_options(CLI::App& command, ControlsOptions& options) {
   command
       .add_option("--cap", options.cap,
                   "Move nothing more than this, in the scan's units; 0: no cap")
-      ->check(CLI::Range(0.0, kCoordinateMagnitudeMax));
+      ->check(in_range(0.0, kCoordinateMagnitudeMax));
   command
       .add_option("--keep-volume", options.keep_volume,
                   "Keep the volume of a closed scan: on or off (as it begins)")

@@ -3,6 +3,7 @@
 
 #include "client/cli/commands.h"
 #include "client/cli/depth_table.h"
+#include "client/cli/in_range.h"
 #include "client/cli/json_output.h"
 #include "client/cli/print_json.h"
 #include "client/cli/server_option.h"
@@ -85,7 +86,7 @@ void add_describe_command(CommandTable& table) {
                                 [options] { return run(*options); });
   command->add_option("SCAN", options->scan, "Name, id, or the beginning of an id")->required();
   command->add_option("--depth", options->depth, "Prepared mesh to describe; left out: deepest")
-      ->check(CLI::Range(kDepthMin, kDepthMax));
+      ->check(in_range(kDepthMin, kDepthMax));
   command->add_flag("--depths", options->depths,
                     "Tell what each depth would cost: cell size, memory, time to prepare");
   add_server_options(*command, options->server);

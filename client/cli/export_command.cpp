@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "client/cli/commands.h"
+#include "client/cli/in_range.h"
 #include "client/cli/json_output.h"
 #include "client/cli/print_json.h"
 #include "client/cli/progress_printer.h"
@@ -84,7 +85,7 @@ void add_export_command(CommandTable& table) {
   CLI::Option* exact =
       command->add_flag("--exact", options->wish.exact, "Solve to the accuracy of final results");
   command->add_option("--cycles", options->wish.cycles, "Solve with this many cycles")
-      ->check(CLI::Range(1, kExportCyclesMax))
+      ->check(in_range(1, kExportCyclesMax))
       ->excludes(exact);
   add_server_options(*command, options->server);
 }

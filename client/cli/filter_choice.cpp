@@ -1,6 +1,7 @@
 #include "client/cli/filter_choice.h"
 
 #include "client/cli/command.h"
+#include "client/cli/in_range.h"
 #include "client/tools/own_presets.h"
 #include "common/base/text_lines.h"
 #include "common/edit/wavelength.h"
@@ -10,12 +11,12 @@ namespace burnish {
 static void add_alpha_options(CLI::App& command, FilterChoice& choice) {
   CLI::Option* alpha =
       command.add_option("--alpha", choice.alpha, "Fidelity weight: larger keeps more in place")
-          ->check(CLI::Range(kAlphaMin, kAlphaMax));
+          ->check(in_range(kAlphaMin, kAlphaMax));
   CLI::Option* wavelength =
       command
           .add_option("--wavelength", choice.wavelength,
                       "Fidelity as a length in the scan's units: at beta 0 this wave is halved")
-          ->check(CLI::PositiveNumber)
+          ->check(above_zero())
           ->excludes(alpha);
   command
       .add_option_function<std::string>(
@@ -43,29 +44,33 @@ static void add_layer_options(CLI::App& command, FilterChoice& choice) {
       ->check([](const std::string& text) { return usage_message(parse_band(text).status()); })
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command.add_option("--palette", choice.palette_file,
-                     "File of curves for strokes to paint: 'CURVE RRGGBB NAME' lines");
+  command
+      .add_option("--palette", choice.palette_file,
+                  "File of curves for strokes to paint: 'CURVE RRGGBB NAME' lines")
+      ->check(not_empty());
   command
       .add_option("--colour-beta", choice.colour_beta,
                   "Gradient scale of the scan's colours: < 1 smooths, 1 keeps, > 1 sharpens")
-      ->check(CLI::Range(kBetaMin, kBetaMax));
+      ->check(in_range(kBetaMin, kBetaMax));
   command
       .add_option("--colour-alpha", choice.colour_alpha,
                   "Fidelity weight of the scan's colours (default 50)")
-      ->check(CLI::Range(kAlphaMin, kAlphaMax));
+      ->check(in_range(kAlphaMin, kAlphaMax));
 }
 
 void add_filter_options(CLI::App& command, FilterChoice& choice) {
   add_alpha_options(command, choice);
   add_layer_options(command, choice);
-  CLI::Option* preset = command.add_option("--preset", choice.preset,
-                                           "A preset of the window, by name, also one of your own");
+  CLI::Option* preset = command
+                            .add_option("--preset", choice.preset,
+                                        "A preset of the window, by name, also one of your own")
+                            ->check(not_empty());
   command.add_option("--beta", choice.beta, "Gradient scale: < 1 smooths, 1 keeps, > 1 sharpens")
-      ->check(CLI::Range(kBetaMin, kBetaMax))
+      ->check(in_range(kBetaMin, kBetaMax))
       ->excludes(preset);
   command
       .add_option("--strength", choice.strength, "How much of the preset, 0 to 1 (default: all)")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(in_range(0.0, 1.0))
       ->needs(preset);
   for (const char* name : {"--alpha", "--wavelength", "--curve"})
     preset->excludes(command.get_option(name));
@@ -77,6 +82,9 @@ static Status add_layers(const FilterChoice& choice, Changes& changes) {
   if (!choice.palette_file.empty()) {
     ASSIGN_OR_RETURN(const std::string text, read_text_file(choice.palette_file));
     ASSIGN_OR_RETURN(Palette palette, parse_palette(text, choice.palette_file));
+    if (palette.curves.empty())
+      return invalid_argument(choice.palette_file + " has no curves: a palette has 1 to " +
+                              std::to_string(kPaletteCurvesMax) + " lines 'CURVE RRGGBB NAME'");
     changes.emplace_back(SetPalette{std::move(palette)});
   }
   if (!choice.equaliser.bands.empty()) {

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "client/cli/commands.h"
+#include "client/cli/in_range.h"
 #include "client/cli/print_json.h"
 #include "common/generate/generate.h"
 #include "common/mesh/mesh_io.h"
@@ -54,7 +55,7 @@ void add_generate_command(CommandTable& table) {
           "--noise", options->scan.noise,
           "Deviation of the scanner's noise, over the mean edge, along the normals; 0: none "
           "(default: what the kind has by itself)")
-      ->check(CLI::Range(0.0, kScannerNoiseMax));
+      ->check(in_range(0.0, kScannerNoiseMax));
   command->add_flag("--json", options->json, "Print the result as JSON");
   command->footer(kinds);
 }

@@ -34,7 +34,8 @@ void print(const ImportOutcome& outcome) {
 void tell_of_files_beside(const ScanBundle& bundle) {
   if (!bundle.beside().empty())
     std::cout << "with " << bundle.beside().size()
-              << " files that it names: " << left_out_text(bundle.beside()) << "\n";
+              << (bundle.beside().size() == 1 ? " file" : " files")
+              << " that it names: " << left_out_text(bundle.beside()) << "\n";
 }
 
 void warn_of_missing(const ScanBundle& bundle) {
@@ -54,10 +55,10 @@ Status run(const ImportOptions& options) {
   auto outcome =
       connection.import_scan(bundle, name, options.key, printer.progress(), !options.name.empty());
   if (!outcome.is_ok()) return outcome.status().with_context("import of " + options.file);
-  if (!options.name.empty() && outcome->scan.name != options.name)
+  if (outcome->already_present && outcome->scan.name != name)
     std::cerr << "warning: the server has these bytes already; the scan keeps its name "
               << outcome->scan.name << ". To change it: burnish rename scan "
-              << short_id(outcome->scan.id) << " '" << options.name << "'\n";
+              << short_id(outcome->scan.id) << " '" << name << "'\n";
   if (options.name.empty() && !outcome->already_present && outcome->scan.name != name)
     std::cerr << "warning: another scan has the name " << name << ", or it may begin an id; "
               << "this one is " << outcome->scan.name << "\n";

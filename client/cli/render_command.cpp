@@ -5,6 +5,7 @@
 
 #include "client/cli/command.h"
 #include "client/cli/commands.h"
+#include "client/cli/in_range.h"
 #include "client/cli/print_json.h"
 #include "client/pictures/picture.h"
 #include "client/scene/png_writer.h"
@@ -110,13 +111,13 @@ static void add_light_options(CLI::App& command, Lighting& lighting) {
         return parse_pair(text, lighting.ridge, lighting.valley, lighting);
       });
   command.add_option("--radiance", lighting.radiance, "With --light radiance: how strongly")
-      ->check(CLI::Range(0.0, kRadianceMax))
+      ->check(in_range(0.0, kRadianceMax))
       ->capture_default_str();
   command.add_option("--specular", lighting.specular, "Strength of the lamp's highlight")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(in_range(0.0, 1.0))
       ->capture_default_str();
   command.add_option("--occlusion", lighting.occlusion, "How dark hollows are, in any light")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(in_range(0.0, 1.0))
       ->capture_default_str();
 }
 
@@ -152,7 +153,7 @@ void add_render_command(CommandTable& commands) {
       ->type_name("AZIMUTH,ELEVATION")
       ->check([&picture](const std::string& text) { return parse_view(text, picture); });
   command->add_option("--zoom", picture.zoom, "Magnification; 1 shows the whole scan")
-      ->check(CLI::Range(0.01, 1000.0))
+      ->check(in_range(0.01, 1000.0))
       ->capture_default_str();
   add_camera_options(*command, picture);
   add_light_options(*command, picture.style.lighting);

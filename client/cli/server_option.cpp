@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <fstream>
 
+#include "client/cli/in_range.h"
 #include "common/base/limits.h"
 #include "common/base/text.h"
 
@@ -57,7 +58,7 @@ void add_server_options(CLI::App& command, ServerOption& option) {
   command
       .add_option("--timeout", option.timeout_seconds,
                   "Seconds to wait for the connection and for short answers")
-      ->check(CLI::Range(0.001, 86400.0))
+      ->check(in_range(0.001, 86400.0))
       ->capture_default_str();
   command.add_flag("--json", option.json, "Print the result as JSON");
   command
@@ -68,11 +69,11 @@ void add_server_options(CLI::App& command, ServerOption& option) {
 
 void add_prepared_options(CLI::App& command, PreparedKey& key) {
   command.add_option("--depth", key.depth, "Depth of the grid; left out: the server chooses")
-      ->check(CLI::Range(kDepthMin, kDepthMax));
+      ->check(in_range(kDepthMin, kDepthMax));
   command
       .add_option("--curvature-radius", key.curvature_radius,
                   "Average curvature over this radius, as a fraction of sqrt(area)")
-      ->check(CLI::Range(0.0, kCurvatureRadiusMax));
+      ->check(in_range(0.0, kCurvatureRadiusMax));
 }
 
 }  // namespace burnish

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "client/cli/commands.h"
+#include "client/cli/in_range.h"
 #include "client/cli/json_output.h"
 #include "client/cli/print_json.h"
 #include "client/cli/server_option.h"
@@ -76,14 +77,14 @@ void add_fork_command(CommandTable& table) {
                       "The new session's name; left out: the server chooses");
   CLI::Option* number =
       command->add_option("--until", options->wish.number, "Number of the last edit to copy")
-          ->check(CLI::Range(uint64_t{1}, uint64_t{1} << 62))
+          ->check(in_range(uint64_t{1}, uint64_t{1} << 62))
           ->type_name("NUMBER");
   command
       ->add_option("--checkpoint", options->wish.checkpoint, "Copy the edits up to this checkpoint")
       ->type_name("NAME")
       ->excludes(number);
   command->add_option("--depth", options->wish.depth, "The new session's depth; left out: the same")
-      ->check(CLI::Range(kDepthMin, kDepthMax))
+      ->check(in_range(kDepthMin, kDepthMax))
       ->type_name("DEPTH");
   add_server_options(*command, options->server);
 }

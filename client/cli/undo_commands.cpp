@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "client/cli/commands.h"
+#include "client/cli/in_range.h"
 #include "client/cli/json_output.h"
 #include "client/cli/print_json.h"
 #include "client/cli/server_option.h"
@@ -65,7 +66,7 @@ Status set_or_restore(const UndoOptions& options) {
 void add_steps_option(CLI::App& command, UndoOptions& options, const char* description) {
   command.add_option("SESSION", options.session, "Name or id")->required();
   command.add_option("--steps", options.steps, description)
-      ->check(CLI::Range(size_t{1}, kEditsPerFrameMax))
+      ->check(in_range(size_t{1}, kEditsPerFrameMax))
       ->capture_default_str();
   add_server_options(command, options.server);
 }

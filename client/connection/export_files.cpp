@@ -66,8 +66,10 @@ Result<ExportedFiles> export_unpacked(Connection& connection, const std::string&
                                       const ExportWish& wish, const ExportTarget& target,
                                       const Progress& progress) {
   const HiddenArchive hidden(target.is_folder ? target.path : target.path.parent_path());
-  ASSIGN_OR_RETURN(ExportedFiles files,
-                   export_file(connection, session, wish, hidden.path(), progress));
+  auto exported = export_file(connection, session, wish, hidden.path(), progress);
+  if (!exported.is_ok())
+    return exported.status().renamed(hidden.path().string(), target.path.string());
+  ExportedFiles files = std::move(exported).value();
   if (!target.is_folder && !files.summary.is_archive) {
     files.mesh = target.path;
     RETURN_IF_ERROR(put_in_place(hidden.path(), target.path));

@@ -51,6 +51,15 @@ Status Status::with_context(const std::string& context) const {
   return status;
 }
 
+Status Status::renamed(std::string_view thing, std::string_view name) const {
+  Status status = *this;
+  if (thing.empty()) return status;
+  for (size_t at = 0; (at = status.message_.find(thing, at)) != std::string::npos;
+       at += name.size())
+    status.message_.replace(at, thing.size(), name);
+  return status;
+}
+
 Status Status::moved(std::string address, std::string message) {
   Status status = failed_precondition(std::move(message));
   status.moved_to_ = std::make_shared<const std::string>(std::move(address));

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "common/base/check.h"
@@ -54,6 +55,10 @@ class [[nodiscard]] Status {
 
   /// Returns the same failure with "context: " before its message; ok stays ok.
   Status with_context(const std::string& context) const;
+
+  /// Returns the same failure with another name for a thing in its message: a file that the program
+  /// made for itself means nothing to the reader.
+  Status renamed(std::string_view thing, std::string_view name) const;
 
  private:
   StatusCode code_ = StatusCode::kOk;

@@ -21,8 +21,9 @@ static Result<bool> is_there(const fs::path& target, const std::vector<uint8_t>&
   if (std::equal(bytes.begin(), bytes.end(), there.bytes().begin(), there.bytes().end()))
     return true;
   return already_exists(target.string() +
-                        " is there with other content; nothing beside the mesh "
-                        "is written. --force replaces it");
+                        " is there with other content, and the mesh names a file "
+                        "of its own by that name. Nothing is written: choose another folder, or "
+                        "replace the file with --force");
 }
 
 static Status check_target(const FilesBeside& from, const FileToPlace& file,

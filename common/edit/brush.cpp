@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/base/limits.h"
+#include "common/base/text.h"
 #include "common/base/text_lines.h"
 #include "common/edit/transfer_curve.h"
 
@@ -135,10 +136,10 @@ static Status check_painted(const Brush& brush) {
 Status validate(const Stroke& stroke) {
   const Brush& brush = stroke.brush;
   if (!(brush.radius > 0) || !(brush.radius <= kCoordinateMagnitudeMax))
-    return invalid_argument("brush radius " + std::to_string(brush.radius) +
+    return invalid_argument("brush radius " + shortest_text(brush.radius) +
                             " must be above 0 and at most 1e18");
   if (!(brush.strength > 0 && brush.strength <= 1))
-    return invalid_argument("brush strength " + std::to_string(brush.strength) +
+    return invalid_argument("brush strength " + shortest_text(brush.strength) +
                             " is outside (0, 1]");
   RETURN_IF_ERROR(check_beta(brush.beta).with_context("brush"));
   RETURN_IF_ERROR(check_painted(brush));

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "common/base/limits.h"
+#include "common/base/text.h"
 
 namespace burnish {
 
@@ -17,8 +18,8 @@ static Status check_values(const char* what, const Vec3d& values) {
   for (const double value : values)
     if (!(std::abs(value) <= kCoordinateMagnitudeMax))
       return invalid_argument(std::string("the plane's ") + what + " has the coordinate " +
-                              std::to_string(value) + ", the limit is " +
-                              std::to_string(kCoordinateMagnitudeMax));
+                              shortest_text(value) + ", the limit is " +
+                              shortest_text(kCoordinateMagnitudeMax));
   return Status::ok();
 }
 

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "common/base/limits.h"
+#include "common/base/text.h"
 
 namespace burnish {
 
@@ -29,7 +30,7 @@ static Status check_vertices(const MeshView& mesh) {
       const double x = mesh.vertices[v][axis];
       if (std::abs(x) <= kCoordinateMagnitudeMax) continue;  // false for NaN
       return invalid_argument("vertex " + std::to_string(v) + " has " + "xyz"[axis] + " = " +
-                              std::to_string(x) + "; coordinates must be finite and within ±1e18");
+                              shortest_text(x) + "; coordinates must be finite and within ±1e18");
     }
   }
   return Status::ok();

@@ -1,6 +1,7 @@
 #include "common/wire/format_wire.h"
 
 #include "common/base/limits.h"
+#include "common/base/text.h"
 #include "common/transfer/chunk.h"
 
 namespace burnish {
@@ -83,8 +84,8 @@ Result<PreparedKey> prepared_key_from_wire(int depth, double curvature_radius) {
                             std::to_string(kDepthMin) + ".." + std::to_string(kDepthMax) +
                             " and not 0 (chosen by the server)");
   if (!(curvature_radius >= 0 && curvature_radius <= kCurvatureRadiusMax))
-    return invalid_argument("curvature radius " + std::to_string(curvature_radius) +
-                            " is outside 0.." + std::to_string(kCurvatureRadiusMax) +
+    return invalid_argument("curvature radius " + shortest_text(curvature_radius) +
+                            " is outside 0.." + shortest_text(kCurvatureRadiusMax) +
                             " of sqrt(area)");
   return PreparedKey{depth, curvature_radius < kCurvatureRadiusMin ? 0.0 : curvature_radius};
 }

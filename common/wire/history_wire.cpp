@@ -141,7 +141,7 @@ Result<BrushRing> from_wire(const v1::BrushRing& message) {
   if ((ring.centre.array().abs() <= kCoordinateMagnitudeMax).all() && ring.radius > 0 &&
       ring.radius <= kCoordinateMagnitudeMax)
     return ring;
-  return invalid_argument("the brush's ring of radius " + std::to_string(ring.radius) +
+  return invalid_argument("the brush's ring of radius " + shortest_text(ring.radius) +
                           " has a centre or a radius that is not finite and within 1e18");
 }
 

@@ -126,9 +126,13 @@ Result<std::unique_ptr<ExportFile>> SessionManager::export_mesh(const std::strin
   ExportWish sent = wish;
   ASSIGN_OR_RETURN(sent.format, format_to_send(store_, scan, wish, progress));
   const auto path = folder_.staging_path("." + std::string(mesh_format_name(sent.format)));
-  ASSIGN_OR_RETURN(ExportSummary summary, solve_to_file(held, sent, path, progress));
-  summary.is_archive = sent.format != wish.format;
-  return ExportFile::adopt(path, std::move(summary));
+  const std::string file_name = "the server's file for the export";
+  auto summary = solve_to_file(held, sent, path, progress);
+  if (!summary.is_ok()) return summary.status().renamed(path.string(), file_name);
+  summary->is_archive = sent.format != wish.format;
+  auto file = ExportFile::adopt(path, std::move(*summary));
+  if (!file.is_ok()) return file.status().renamed(path.string(), file_name);
+  return file;
 }
 
 }  // namespace burnish

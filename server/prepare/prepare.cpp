@@ -9,6 +9,7 @@
 #include "common/base/heard_loop.h"
 #include "common/base/limits.h"
 #include "common/base/parallel.h"
+#include "common/base/text.h"
 #include "common/evaluation/heard_evaluation.h"
 #include "common/grid/depth_plan.h"
 #include "common/mesh/stored_mesh.h"
@@ -38,8 +39,8 @@ Status check_options(const PrepareOptions& options) {
     return invalid_argument("depth " + std::to_string(options.depth) + " is outside " +
                             std::to_string(kDepthMin) + ".." + std::to_string(kDepthMax));
   if (!(options.curvature_radius >= 0 && options.curvature_radius <= kCurvatureRadiusMax))
-    return invalid_argument("curvature radius " + std::to_string(options.curvature_radius) +
-                            " is outside 0.." + std::to_string(kCurvatureRadiusMax) +
+    return invalid_argument("curvature radius " + shortest_text(options.curvature_radius) +
+                            " is outside 0.." + shortest_text(kCurvatureRadiusMax) +
                             " (a fraction of L, the square root of the area)");
   return Status::ok();
 }

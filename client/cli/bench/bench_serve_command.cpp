@@ -6,6 +6,7 @@
 #include "client/cli/bench/load_client.h"
 #include "client/cli/bench/load_report.h"
 #include "client/cli/commands.h"
+#include "client/cli/in_range.h"
 #include "client/cli/print_json.h"
 #include "client/cli/server_option.h"
 #include "common/base/limits.h"
@@ -149,21 +150,21 @@ void add_bench_command(CommandTable& table) {
                    "Name or id; clients are shared out among several")
       ->required();
   serve->add_option("--clients", options->clients, "Connections at once")
-      ->check(CLI::Range(1, 1000))
+      ->check(in_range(1, 1000))
       ->capture_default_str();
   serve->add_option("--seconds", options->seconds, "How long")
-      ->check(CLI::Range(0.1, 86400.0))
+      ->check(in_range(0.1, 86400.0))
       ->capture_default_str();
   serve->add_option("--mix", options->mix, "How often clients do each action")
       ->check([](const std::string& text) { return usage_message(parse_load_mix(text).status()); })
       ->capture_default_str();
   serve->add_option("--rate", options->pictures_per_second, "Pictures per second of a client")
-      ->check(CLI::Range(1.0, 240.0))
+      ->check(in_range(1.0, 240.0))
       ->capture_default_str();
   serve
       ->add_option("--pages", options->pages,
                    "Pages of the scan that clients show, the coarsest; 0: as many as they may")
-      ->check(CLI::Range(size_t{0}, kShownPagesMax))
+      ->check(in_range(size_t{0}, kShownPagesMax))
       ->capture_default_str();
   serve->add_option("--seed", options->seed, "Seed of the gestures")->capture_default_str();
   add_server_options(*serve, options->server);

@@ -55,8 +55,9 @@ Result<FilteredFacts> run_job(const FilterOptions& options, const std::vector<Ed
   ASSIGN_OR_RETURN(const JobFiles files, JobFiles::open(job, options));
   FilterPaths paths{files.in(), files.out(), options.report_file, job.out};
   if (options.reports) paths.report = job.out + ".json";
-  ASSIGN_OR_RETURN(FilteredFacts facts, filter_file(options, edits, paths));
-  RETURN_IF_ERROR(files.finish(job));
+  auto facts = filter_file(options, edits, paths);
+  if (!facts.is_ok()) return files.named(job, facts.status());
+  RETURN_IF_ERROR(files.named(job, files.finish(job)));
   return facts;
 }
 

@@ -46,6 +46,11 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+const char* how_to_free(const HeldRims& rims) {
+  if (rims.held == 0) return "";
+  return rims.held == 1 ? "; --pin-rims off lets it move" : "; --pin-rims off lets them move";
+}
+
 Status apply_edits(const FilterOptions& options, const std::vector<Edit>& edits, Session& session) {
   const PreparedMesh& prepared = session.prepared();
   ASSIGN_OR_RETURN(
@@ -67,7 +72,7 @@ Status apply_edits(const FilterOptions& options, const std::vector<Edit>& edits,
   }
   const auto rims = session.edited().pinned_rims();
   if (rims && rims->rims > 0 && !options.controls.pin_rims)
-    std::cerr << describe(*rims) << (rims->held > 0 ? "; --pin-rims off lets them move\n" : "\n");
+    std::cerr << describe(*rims) << how_to_free(*rims) << "\n";
   if (const std::string walls = describe(prepared.walls); !walls.empty())
     std::cerr << walls << "\n";
   return Status::ok();
@@ -131,8 +136,9 @@ Result<FilteredFacts> filter_file(const FilterOptions& options, const std::vecto
   ASSIGN_OR_RETURN(const TriangleMesh mesh, read_mesh(paths.in));
   run.read_seconds = reading.seconds();
   ASSIGN_OR_RETURN(auto left_out, tell_left_out(paths, formats, mesh));
-  ASSIGN_OR_RETURN(const auto prepared,
-                   prepare(mesh, prepare_options, printer.progress(), &run.prepare));
+  const auto preparing = prepare(mesh, prepare_options, printer.progress(), &run.prepare);
+  if (!preparing.is_ok()) return preparing.status().with_context(paths.in.string());
+  const auto& prepared = *preparing;
   ASSIGN_OR_RETURN(const Multigrid multigrid, make_hierarchy(prepared, printer.progress(), run));
   ASSIGN_OR_RETURN(const auto session, Session::open(multigrid, options.solver));
   RETURN_IF_ERROR(apply_edits(options, edits, *session));

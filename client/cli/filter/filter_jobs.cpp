@@ -99,6 +99,13 @@ JobFiles::~JobFiles() {
   if (!folder_.empty()) fs::remove_all(folder_, ignored);
 }
 
+Status JobFiles::named(const FilterJob& job, const Status& status) const {
+  Status named = status;
+  if (job.in == kStandardStream) named = named.renamed(in_.string(), "standard input");
+  if (job.out == kStandardStream) named = named.renamed(out_.string(), "standard output");
+  return named;
+}
+
 Status JobFiles::finish(const FilterJob& job) const {
   if (job.out != kStandardStream) return Status::ok();
   ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(out_));

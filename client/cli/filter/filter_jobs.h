@@ -35,6 +35,9 @@ class JobFiles {
   const std::filesystem::path& in() const { return in_; }
   const std::filesystem::path& out() const { return out_; }
 
+  /// Returns a failure with the names that the user knows for files of the folder.
+  Status named(const FilterJob& job, const Status& status) const;
+
   /// Copies the written file to standard output, if the job says so. Fails: as errno says.
   Status finish(const FilterJob& job) const;
 

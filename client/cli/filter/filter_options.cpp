@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "client/cli/in_range.h"
 #include "common/base/limits.h"
 
 namespace burnish {
@@ -26,7 +27,7 @@ void add_solve_options(CLI::App& command, FilterOptions& options) {
   CLI::Option* exact =
       command.add_flag("--exact", options.solve.exact, "Solve to the accuracy of final results");
   command.add_option("--cycles", options.solve.cycles, "Solve with exactly this many V-cycles")
-      ->check(CLI::Range(1, kCyclesMax))
+      ->check(in_range(1, kCyclesMax))
       ->excludes(exact);
   const std::map<std::string, BackendKind> backends = {
       {"auto", BackendKind::kAuto}, {"cpu", BackendKind::kCpu}, {"cuda", BackendKind::kCuda}};
@@ -43,7 +44,7 @@ void add_solve_options(CLI::App& command, FilterOptions& options) {
       ->transform(CLI::CheckedTransformer(smoothers))
       ->type_name("NAME");
   command.add_option("--threads", options.solver.threads, "Processor cores to use (default: all)")
-      ->check(CLI::Range(1, kThreadsMax));
+      ->check(in_range(1, kThreadsMax));
   CLI::Option* report =
       command.add_option("--report", options.report_file, "Write a report of the run: FILE.json");
   command.add_flag("--reports", options.reports, "Write a report beside each OUT: OUT.json")
@@ -82,13 +83,13 @@ void add_file_options(CLI::App& command, FilterOptions& options) {
 void add_run_options(CLI::App& command, FilterOptions& options) {
   add_file_options(command, options);
   command.add_option("--depth", options.prepare.depth, "Octree depth (default: by the mesh)")
-      ->check(CLI::Range(kDepthMin, kDepthMax));
+      ->check(in_range(kDepthMin, kDepthMax));
   command.add_flag("--depths", options.depths,
                    "Only tell what each depth would cost: cell size, memory, time to prepare");
   command
       .add_option("--curvature-radius", options.prepare.curvature_radius,
                   "Average the curvature over this fraction of L")
-      ->check(CLI::Range(0.0, 0.2));
+      ->check(in_range(0.0, 0.2));
   add_field_options(command, options);
   add_controls_options(command, options.controls);
   add_solve_options(command, options);

@@ -5,6 +5,7 @@ from __future__ import annotations
 import collections
 import dataclasses
 import json
+import numbers
 import os
 import pathlib
 import signal
@@ -23,9 +24,23 @@ from .progress import Progress
 USAGE = 2  # the program's exit code for wrong options
 
 
+_TYPES: dict[str, Any] = {"curve": TransferCurve, "preset": str, "controls": Controls,
+                           "depth": numbers.Integral, "cycles": numbers.Integral, "exact": bool}
+
+
+def _check_type(name: str, value: object, wanted: Any) -> None:
+    if not isinstance(value, wanted):
+        words = {numbers.Real: "a number", numbers.Integral: "a whole number", str: "a text",
+                 bool: "True or False"}
+        raise InvalidArgument(f"{name} is {value!r}: it takes {words.get(wanted, 'a ' + wanted.__name__)}")
+
+
 @dataclasses.dataclass(frozen=True)
 class Options:
-    """A filter. None: as the program's default says. Lengths are in the scan's units."""
+    """A filter. None: as the program's default says. Lengths are in the scan's units.
+
+    Raises InvalidArgument for a value of a wrong type.
+    """
 
     beta: float | None = None
     """Gradient scale, 0 to 10: below 1 smooths, 1 keeps, above 1 sharpens."""
@@ -50,6 +65,13 @@ class Options:
     """Solve to the accuracy of final results."""
     cycles: int | None = None
     """Solve with exactly so many cycles."""
+
+    def __post_init__(self) -> None:
+        for name, value in vars(self).items():
+            if name != "bands" and value is not None:
+                _check_type(name, value, _TYPES.get(name, numbers.Real))
+        for number, band in enumerate(self.bands, 1):
+            _check_type(f"band {number}", band, Band)
 
     def words(self) -> list[str]:
         """Returns the options of `burnish filter`."""
@@ -130,7 +152,10 @@ def filter_mesh(mesh: Mesh, *, progress: Progress | None = None, **options: Any)
     with tempfile.TemporaryDirectory(prefix="burnish-") as folder:
         source, target = pathlib.Path(folder) / "in.ply", pathlib.Path(folder) / "out.ply"
         source.write_bytes(mesh.to_ply())
-        filter(source, target, progress=progress, **options)
+        try:
+            filter(source, target, progress=progress, **options)
+        except Error as error:
+            raise type(error)(error.message.replace(str(source), "the mesh")) from None
         return load_ply(target)
 
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "client/cli/in_range.h"
 #include "common/edit/transfer_curve.h"
 
 namespace burnish {
@@ -45,6 +46,28 @@ TEST(Command, ExitCodesAre0DoneAnd1FailedAnd2Usage) {
   EXPECT_EQ(Program().run({}), 2);
   EXPECT_EQ(Program().run({"dance"}), 2);
   EXPECT_EQ(Program().run({"paint", "--nonsense"}), 2);
+}
+
+TEST(Command, AValueOutsideItsLimitsIsToldWithTheseAsPeopleWriteThem) {
+  double cap = 0;
+  int steps = 0;
+  std::string palette;
+  const auto complaint = [&](const char* option, const char* value) {
+    Program program;
+    CLI::App* command = program.app.get_subcommand("paint");
+    command->add_option("--cap", cap)->check(in_range(0.0, 1e18));
+    command->add_option("--wave", cap)->check(above_zero());
+    command->add_option("--steps", steps)->check(in_range(1, 100'000));
+    command->add_option("--palette", palette)->check(not_empty());
+    EXPECT_EQ(program.run({"paint", option, value}), 2);
+    return program.complained;
+  };
+  EXPECT_THAT(complaint("--cap", "-1"), testing::HasSubstr("--cap: -1 is outside 0 to 1e+18"));
+  EXPECT_THAT(complaint("--cap", "nan"), testing::HasSubstr("--cap: nan is outside"));
+  EXPECT_THAT(complaint("--cap", "x"), testing::HasSubstr("--cap: 'x' is not a number"));
+  EXPECT_THAT(complaint("--wave", "0"), testing::HasSubstr("--wave: 0 is not a number above 0"));
+  EXPECT_THAT(complaint("--steps", "0"), testing::HasSubstr("--steps: 0 is outside 1 to 100000"));
+  EXPECT_THAT(complaint("--palette", ""), testing::HasSubstr("--palette: '' names nothing"));
 }
 
 TEST(Command, AnUnknownCommandIsNamed) {

@@ -66,6 +66,14 @@ class Filter(unittest.TestCase):
             burnish.filter(self.source, out, beta=11)
         with self.assertRaisesRegex(burnish.FailedPrecondition, "colours"):
             burnish.filter(self.source, out, colour_beta=0.5, **QUICK)
+        with self.assertRaisesRegex(burnish.InvalidArgument, "curve is '1': it takes a TransferCurve"):
+            burnish.filter(self.source, out, curve="1")
+        with self.assertRaisesRegex(burnish.InvalidArgument, "beta is '1': it takes a number"):
+            burnish.filter(self.source, out, beta="1")
+        with self.assertRaisesRegex(burnish.InvalidArgument, "depth is 5.5: it takes a whole number"):
+            burnish.filter(self.source, out, depth=5.5)
+        with self.assertRaisesRegex(burnish.InvalidArgument, "band 1 is 0.5: it takes a Band"):
+            burnish.filter(self.source, out, bands=[0.5])
         with self.assertRaises(TypeError):
             burnish.filter(self.source, out, betta=1)
         self.assertFalse(out.exists())

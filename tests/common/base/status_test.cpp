@@ -21,6 +21,15 @@ TEST(Status, ContextGoesBeforeTheMessageAndKeepsTheCode) {
   EXPECT_TRUE(Status::ok().with_context("a.ply").is_ok());
 }
 
+TEST(Status, AThingGetsAnotherNameWhereverTheMessageHasIt) {
+  const Status status =
+      data_loss("/tmp/x.ply ends; /tmp/x.ply has 3 bytes").renamed("/tmp/x.ply", "out.ply");
+  EXPECT_EQ(status.code(), StatusCode::kDataLoss);
+  EXPECT_EQ(status.message(), "out.ply ends; out.ply has 3 bytes");
+  EXPECT_EQ(data_loss("a").renamed("", "b").message(), "a");
+  EXPECT_TRUE(Status::ok().renamed("a", "b").is_ok());
+}
+
 TEST(Status, EveryCodeHasAName) {
   for (int code = 0; code <= static_cast<int>(StatusCode::kInternal); ++code)
     EXPECT_STRNE(status_code_name(static_cast<StatusCode>(code)), "unknown") << code;
