@@ -25,7 +25,8 @@ class VolumeKeeper {
   /// per corner, in cells; per cell 0 to 1, how far it is edited.
   void measure(std::span<const Vec3f> displacement, std::span<const float> edited);
 
-  /// What is shown of a surface whose corners move this far, if something bounds their moves.
+  /// Returns what is shown of a surface whose corners move this far, if something bounds their
+  /// moves.
   using Bounded = std::function<std::span<const Vec3f>(double distance)>;
 
   /// Finds the distance anew for a surface that is bounded, where one gives the volume back. Visits
