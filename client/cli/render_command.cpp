@@ -26,11 +26,9 @@ struct RenderOptions {
 // Both return the usage message that CLI11 expects from a check: empty if the text is right.
 
 std::string parse_size(const std::string& text, ImageSize& size) {
-  int end = 0;
-  if (std::sscanf(text.c_str(), "%5dx%5d%n", &size.width, &size.height, &end) != 2 ||
-      static_cast<size_t>(end) != text.size())
-    return "'" + text + "' is not WIDTHxHEIGHT in pixels, such as 1280x960";
-  return usage_message(check_image_size(size));
+  const Result<ImageSize> parsed = parse_image_size(text);
+  if (parsed.is_ok()) size = *parsed;
+  return usage_message(parsed.status());
 }
 
 std::string parse_view(const std::string& text, PictureOptions& picture) {

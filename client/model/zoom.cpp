@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/base/ratio.h"
+
 namespace burnish {
 
 static constexpr double kZoomPerStep = 0.88;
@@ -27,7 +29,7 @@ Camera zoomed_by_wheel(const Camera& camera, const ImageSize& size, const ZoomPl
                        double steps, const Eigen::AlignedBox3d& box) {
   const Camera from = place.surface ? with_target_as_deep_as(camera, *place.surface) : camera;
   const double farthest = std::max(covered_part(from, box.diagonal().norm()) / kCoveredMin, 1.0);
-  const double factor = std::min(std::pow(kZoomPerStep, steps), farthest);
+  const double factor = std::min(power(kZoomPerStep, steps), farthest);
   const Camera to = zoomed_at(from, size, place.pixel, factor);
   const bool is_left_behind =
       steps > 0 && !place.surface && !(is_before(to, box) && is_in_picture(to, size, box.center()));

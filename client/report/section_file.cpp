@@ -58,13 +58,24 @@ class Drawing {
   double scale_;
 };
 
+/// The largest power of ten that is not above a positive, finite length.
+double decade_of(double length) {
+  double tens = 1;
+  if (length < 1) {
+    while (1 / tens > length) tens *= 10;
+    return 1 / tens;
+  }
+  while (10 * tens <= length) tens *= 10;
+  return tens;
+}
+
 /// A round length of about a fifth of the drawing's width.
 double scale_bar_length(double length) {
-  if (!(length > 0)) return 1;
-  const double power = std::pow(10, std::floor(std::log10(length / 5)));
-  for (const double step : {5.0, 2.0, 1.0})
-    if (step * power <= length / 5) return step * power;
-  return power;
+  if (!(length > 0) || !std::isfinite(length)) return 1;
+  const double decade = decade_of(length / 5);
+  for (const double step : {5.0, 2.0})
+    if (step * decade <= length / 5) return step * decade;
+  return decade;
 }
 
 std::string escaped_unit(const std::string& unit) {

@@ -18,16 +18,10 @@ struct ImageSize {
 };
 
 /// Fails: invalid_argument if a side is outside kImageSidePixelsMin..kImageSidePixelsMax.
-inline Status check_image_size(const ImageSize& size) {
-  const auto is_outside = [](int side) {
-    return side < kImageSidePixelsMin || side > kImageSidePixelsMax;
-  };
-  if (!is_outside(size.width) && !is_outside(size.height)) return Status::ok();
-  return invalid_argument("picture of " + std::to_string(size.width) + "x" +
-                          std::to_string(size.height) + " pixels: both sides must be within " +
-                          std::to_string(kImageSidePixelsMin) + ".." +
-                          std::to_string(kImageSidePixelsMax));
-}
+Status check_image_size(const ImageSize& size);
+
+/// Reads "1280x960". Fails: invalid_argument if `text` is not such a pair, or as above.
+Result<ImageSize> parse_image_size(const std::string& text);
 
 /// A picture: three bytes (red, green, blue; sRGB) per pixel, rows from top to bottom.
 struct Image {

@@ -1,7 +1,5 @@
 // The lines that wait, or that need more than the model.
 
-#include <cstdio>
-
 #include "client/script/script_runner.h"
 #include "client/script/script_view.h"
 
@@ -29,10 +27,7 @@ Status ScriptRunner::run_view(const ScriptLine& line) {
 }
 
 Status ScriptRunner::run_size(const ScriptLine& line) {
-  ImageSize size;
-  if (std::sscanf(line.words[0].c_str(), "%5dx%5d", &size.width, &size.height) != 2)
-    return invalid_argument("'" + line.words[0] + "' is not WIDTHxHEIGHT");
-  RETURN_IF_ERROR(check_image_size(size));
+  ASSIGN_OR_RETURN(const ImageSize size, parse_image_size(line.words[0]));
   workspace_.viewport.set_size(size);
   if (!is_camera_placed_) workspace_.viewport.frame_all();
   return Status::ok();

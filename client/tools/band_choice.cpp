@@ -1,9 +1,9 @@
 #include "client/tools/band_choice.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 
+#include "common/base/ratio.h"
 #include "common/edit/wavelength.h"
 
 namespace burnish {
@@ -11,7 +11,7 @@ namespace burnish {
 Equaliser first_bands(double cell_size, double diagonal) {
   constexpr int kBands = 4;
   const double finest = 2 * kWaveCellsMin * cell_size, coarsest = 0.15 * diagonal;
-  const double ratio = std::max(kBandRatioMin, std::pow(coarsest / finest, 1.0 / (kBands - 1)));
+  const double ratio = std::max(kBandRatioMin, power(coarsest / finest, 1.0 / (kBands - 1)));
   Equaliser equaliser;
   double size = finest;
   for (int band = 0; band < kBands; ++band, size *= ratio) equaliser.bands.push_back({size, 1});

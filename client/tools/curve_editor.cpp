@@ -5,6 +5,7 @@
 
 #include "common/base/check.h"
 #include "common/base/limits.h"
+#include "common/base/ratio.h"
 
 namespace burnish {
 
@@ -23,7 +24,7 @@ Eigen::Vector2d CurveEditor::place_of(const TransferCurve::Point& point) const {
 
 TransferCurve::Point CurveEditor::point_at(const Eigen::Vector2d& place) const {
   return {std::sinh((2 * place.x() - 1) * axis_end_),
-          kFidelityMin * std::pow(alpha_max_ / kFidelityMin, place.y())};
+          between_by_ratio(kFidelityMin, alpha_max_, place.y())};
 }
 
 TransferCurve CurveEditor::curve() const {

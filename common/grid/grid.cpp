@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/base/check.h"
+#include "common/base/ratio.h"
 
 namespace burnish {
 
@@ -28,7 +29,7 @@ GridFrame make_grid_frame(const Vec3d& box_min, const Vec3d& box_max, int depth)
 
 int matching_depth(const Vec3d& box_min, const Vec3d& box_max, double mean_edge_length) {
   const double side = longest_side(box_min, box_max) / kBoxFractionOfCube;
-  const double depth = std::round(std::log2(side / (kCellsPerMeanEdge * mean_edge_length)));
+  const double depth = std::round(binary_logarithm(side / (kCellsPerMeanEdge * mean_edge_length)));
   if (!(depth >= kDepthMin)) return kDepthMin;  // NaN too
   return static_cast<int>(std::min<double>(depth, kDepthMax));
 }

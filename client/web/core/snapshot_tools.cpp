@@ -4,6 +4,7 @@
 #include "client/model/figures.h"
 #include "client/tools/band_choice.h"
 #include "client/web/core/snapshot.h"
+#include "common/base/ratio.h"
 #include "common/edit/wavelength.h"
 
 namespace burnish {
@@ -54,7 +55,7 @@ void write_bands(const Document& document, JsonWriter& json) {
   json.close_list().key("response").open_list();
   const double least = kWaveCellsMin * document.cell_size(), most = document.diagonal();
   for (int i = 0; i <= kSteps; ++i)
-    json.number(response(equaliser, least * std::pow(most / least, double(i) / kSteps)));
+    json.number(response(equaliser, between_by_ratio(least, most, double(i) / kSteps)));
   json.close_list();
 }
 

@@ -84,7 +84,8 @@ function(core_program name)
   add_executable(${name} ${objects} ${drawing} $<TARGET_OBJECTS:proto> $<TARGET_OBJECTS:protobuf> $<TARGET_OBJECTS:zstd>)
   set_target_properties(${name} PROPERTIES SUFFIX .wasm LINKER_LANGUAGE CXX)
   target_link_options(${name} PRIVATE ${BURNISH_WEB_FLAGS} -mexec-model=reactor
-    -Wl,--gc-sections,--strip-all,--export=__stack_pointer,--stack-first,-z,stack-size=1048576)
+    -Wl,--gc-sections,--strip-all,--export=__stack_pointer,--stack-first,-z,stack-size=1048576
+    -Wl,-mllvm,-enable-merge-functions)  # templates of many types are often the same code
 endfunction()
 
 core_folder(client/gl EXCEPT context_egl)
