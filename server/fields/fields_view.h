@@ -62,12 +62,31 @@ struct CellPaint {
   std::span<const uint8_t> is_painted;  ///< per kStretch cells: one of them may have paint
 };
 
+/// Two 3×3 matrices of a cell that turn the gradient of the surface into the one that it should
+/// have: see TargetView. Rows lie one after the other.
+struct TargetGradient {
+  std::array<float, 9> of_scale;   ///< T1
+  std::array<float, 9> of_target;  ///< T2
+};
+
+/// The gradient that the surface should have in place of its own. With g the constraint of a cell
+/// at β − 1 = 1, its share is (β−1)(I + s T1) g + s T2 g, s the strength. At s = 0 that is the
+/// plain one. Several cells may have other matrices only if `version` differs.
+struct TargetView {
+  std::span<const TargetGradient> cells;  ///< empty: there is no target
+  double strength = 0;                    ///< 0 to 1
+  uint64_t version = 0;
+
+  bool is_active() const { return !cells.empty() && strength != 0; }
+};
+
 /// The metric and β of every cell of the finest depth.
 struct FieldsView {
   MetricView metric;
   std::span<const float> beta;
   double gradient_scale = kBetaDefault;  ///< the slider: β of every cell without its own paint
   CellPaint paint;
+  TargetView target = {};
 };
 
 }  // namespace burnish

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "common/base/check.h"
 #include "server/solver/cuda/assembly/assembly.h"
 #include "server/solver/cuda/assembly/cell_shares.h"
 #include "server/solver/cuda/assembly/combined_cells.h"
@@ -131,6 +132,7 @@ class CudaBackend final : public Backend {
 
   void set_constraint(const FieldsView& fields) override {
     if (!stream_.is_ok()) return;
+    BURNISH_CHECK(!fields.target.is_active(), "devices have no targets yet");
     beta_.set(fields);
     assemble_constraint(stream_, finest(), gradients(), beta_.view(),
                         std::exchange(gradients_are_new_, false), outer_->constraint(),

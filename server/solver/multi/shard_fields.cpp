@@ -49,7 +49,21 @@ FieldsView ShardFields::constraint(const FieldsView& whole) {
   FieldsView view{};
   view.gradient_scale = whole.gradient_scale;
   view.paint = {follow_, own_, is_painted_};
+  view.target = target(whole.target);
   return view;
+}
+
+TargetView ShardFields::target(const TargetView& whole) {
+  if (!whole.is_active()) {
+    target_ = {};
+    return {};
+  }
+  if (target_.empty() || whole.version != target_version_) {
+    target_.resize(cells_.size());
+    for (size_t c = 0; c < cells_.size(); ++c) target_[c] = whole.cells[cells_[c]];
+    target_version_ = whole.version;
+  }
+  return {target_, whole.strength, whole.version};
 }
 
 // Few stretches have paint. So one thread, which need not wake others, has looked at all of them
@@ -81,7 +95,7 @@ uint64_t ShardFields::byte_count() const {
   return own_fields_.capacity() * sizeof(OwnFields) + lines_.capacity() * sizeof(LineMass) +
          first_line_.capacity() * sizeof(int32_t) +
          (follow_.capacity() + own_.capacity()) * sizeof(float) + is_painted_.capacity() +
-         painted_.capacity() * sizeof(int32_t);
+         painted_.capacity() * sizeof(int32_t) + target_.capacity() * sizeof(TargetGradient);
 }
 
 }  // namespace burnish

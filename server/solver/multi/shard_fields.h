@@ -23,6 +23,7 @@ class ShardFields {
 
  private:
   LineView held(const LineView& whole);
+  TargetView target(const TargetView& whole);
   void find_painted(const CellPaint& whole);
   void take_stretch(const CellPaint& whole, size_t stretch);
 
@@ -31,8 +32,10 @@ class ShardFields {
   std::vector<LineMass> lines_;
   std::vector<int32_t> first_line_;
   std::vector<float> follow_, own_;
-  std::vector<uint8_t> is_painted_;  // per stretch
-  std::vector<int32_t> painted_;     // stretches that have paint or had some at the last call
+  std::vector<uint8_t> is_painted_;     // per stretch
+  std::vector<TargetGradient> target_;  // empty without
+  uint64_t target_version_ = 0;
+  std::vector<int32_t> painted_;  // stretches that have paint or had some at the last call
 };
 
 }  // namespace burnish

@@ -59,6 +59,7 @@ void Constraint::set_ratio(std::vector<double> ratio) {
 
 void Constraint::assemble(const FieldsView& fields, std::vector<Double3>& b,
                           std::vector<Double3>& r) {
+  take(fields.target);
   const int64_t changed = take(fields.paint) + take_ratios();
   const double by = fields.gradient_scale - std::exchange(slider_, fields.gradient_scale);
   const auto few = static_cast<int64_t>(paint_.size()) / kFewCellsDivisor;
@@ -92,6 +93,13 @@ int64_t Constraint::take_stretch(const CellPaint& paint, size_t stretch) {
     paint_[c] = next;
   }
   return changed;
+}
+
+void Constraint::take(const TargetView& target) {
+  is_new_ |= target.is_active() != target_.is_active() ||
+             (target.is_active() &&
+              (target.version != target_.version || target.strength != target_.strength));
+  target_ = target;
 }
 
 void Constraint::set_signal(std::span<const Vec3f> signal) {
@@ -132,36 +140,51 @@ void Constraint::share_of_signal(int32_t cell, CellShare& out) const {
   }
 }
 
-// Without paint b is set, not moved by steps, so that it is exactly zero again at β = 1.
+// Without paint and target b is set, not moved by steps, so that it is exactly zero again at β = 1.
 void Constraint::slide(double by, std::vector<Double3>& b, std::vector<Double3>& r) const {
+  const bool has_own = is_painted_ || target_.is_active();
 #pragma omp parallel for schedule(static)
   for (size_t i = 0; i < per_slider_.size(); ++i) {
     const Double3 before = b[i];
-    b[i] = is_painted_ ? Double3(before + by * per_slider_[i]) : (slider_ - 1) * per_slider_[i];
+    b[i] = has_own ? Double3(before + by * per_slider_[i]) : (slider_ - 1) * per_slider_[i];
     r[i] += b[i] - before;
+  }
+}
+
+// Adds a cell's share at one of its corners to those of the corner.
+void Constraint::add_share(int32_t cell, const double* share, CornerSums& sums) const {
+  const Paint paint = is_painted_ ? paint_[cell] : Paint();
+  double scaled[3] = {share[0], share[1], share[2]};
+  if (target_.is_active()) {
+    const TargetGradient& target = target_.cells[cell];
+    for (int row = 0; row < 3; ++row) {
+      double of_scale = 0, of_target = 0;
+      for (int i = 0; i < 3; ++i) {
+        of_scale += target.of_scale[3 * row + i] * share[i];
+        of_target += target.of_target[3 * row + i] * share[i];
+      }
+      scaled[row] += target_.strength * of_scale;
+      sums.own[row] += target_.strength * of_target;
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    sums.of_slider[axis] += paint.follow * scaled[axis];
+    sums.own[axis] += paint.own * scaled[axis];
   }
 }
 
 // Sums `share_of` over the cells around a corner.
 template <typename ShareOf>
 void Constraint::sum_corner(int32_t corner, ShareOf&& share_of, Double3& b, Double3& r) {
-  double of_slider[3] = {}, of_paint[3] = {};
+  CornerSums sums;
   for (int a = 0; a < kCornersPerCell; ++a) {
     const int32_t cell = finest_.topology.grid.cells_of_corner[corner][a];
-    if (cell == kNone) continue;
-    const double* share = &share_of(cell)[3 * a];
-    const Paint paint = is_painted_ ? paint_[cell] : Paint();
-    for (int axis = 0; axis < 3; ++axis) {
-      of_slider[axis] += paint.follow * share[axis];
-      of_paint[axis] += paint.own * share[axis];
-    }
+    if (cell != kNone) add_share(cell, &share_of(cell)[3 * a], sums);
   }
-  Double3 per_slider(of_slider[0], of_slider[1], of_slider[2]);
-  Double3 own(of_paint[0], of_paint[1], of_paint[2]);
   is_pinned_[corner] = finest_.inverse_diagonal[corner] == 0;
-  if (is_pinned_[corner]) per_slider = own = Double3::Zero();
-  per_slider_[corner] = per_slider;
-  const Double3 before = std::exchange(b, (slider_ - 1) * per_slider + own);
+  if (is_pinned_[corner]) sums = {};
+  per_slider_[corner] = sums.of_slider;
+  const Double3 before = std::exchange(b, (slider_ - 1) * sums.of_slider + sums.own);
   r += b - before;
 }
 

@@ -14,9 +14,9 @@ namespace burnish::cpu {
 std::vector<double> ratios_of(const CellAlphas& alphas);
 
 /// b_I = Σ_c (β−1)(α2/α1 g¹ + α1/α2 g²)_I, the right-hand side for the displacement: Eq. 4's
-/// constraint less S c°. It keeps the part of b that follows the slider, so a slider that moves
-/// sums nothing again. A dab sums its corners again. A new metric sums the corners of cells with
-/// another ratio of α, and those that are no longer pinned.
+/// constraint less S c°; with a target, what TargetView says. It keeps the part of b that follows
+/// the slider, so a slider that moves sums nothing again. A dab sums its corners again. A new
+/// metric sums the corners of cells with another ratio of α, and those that are no longer pinned.
 class Constraint {
  public:
   /// Begins without paint and with β = 1 everywhere. Both arguments must live longer.
@@ -47,10 +47,16 @@ class Constraint {
   };
   /// A cell's share of b for β − 1 = 1, by local corner and axis.
   using CellShare = std::array<double, 24>;
+  /// Parts of b at a corner: b = (slider − 1) of_slider + own.
+  struct CornerSums {
+    Double3 of_slider = Double3::Zero(), own = Double3::Zero();
+  };
 
   int64_t take(const CellPaint& paint);
   int64_t take_ratios();
   int64_t take_stretch(const CellPaint& paint, size_t stretch);
+  void take(const TargetView& target);
+  void add_share(int32_t cell, const double* share, CornerSums& sums) const;
   void share(int32_t cell, CellShare& out) const;
   void share_of_signal(int32_t cell, CellShare& out) const;
   void slide(double by, std::vector<Double3>& b, std::vector<Double3>& r) const;
@@ -73,6 +79,7 @@ class Constraint {
   std::vector<uint8_t> has_paint_;   // per stretch of cells: a cell of it may have paint
   std::vector<uint8_t> is_changed_;  // per cell: its paint or ratio is new
   bool is_painted_ = false;
+  TargetView target_;  // of the last assemble(); its cells are gone since
 };
 
 }  // namespace burnish::cpu

@@ -46,5 +46,25 @@ TEST(ShardFields, FollowPaintThatComesAndGoes) {
   EXPECT_EQ(std::ranges::count(now().paint.is_painted, 1), 0);
 }
 
+TEST(ShardFields, TakeTheTargetOfTheirCellsAlone) {
+  const std::vector<int32_t> cells = {0, 2};
+  ShardFields fields(cells);
+  const std::vector<float> follow(3, 1), own(3, 0);
+  const std::vector<uint8_t> is_painted(1, 0);
+  std::vector<TargetGradient> target(3);
+  target[2].of_target[4] = 0.5;
+  FieldsView whole{{}, {}, 1, {follow, own, is_painted}, {target, 0.75, 1}};
+  const TargetView taken = fields.constraint(whole).target;
+  ASSERT_EQ(taken.cells.size(), 2u);
+  EXPECT_EQ(taken.cells[1].of_target[4], 0.5F);
+  EXPECT_EQ(taken.strength, 0.75);
+
+  target[2].of_target[4] = 0.25;
+  whole.target.version = 2;
+  EXPECT_EQ(fields.constraint(whole).target.cells[1].of_target[4], 0.25F);
+  whole.target.strength = 0;
+  EXPECT_FALSE(fields.constraint(whole).target.is_active());
+}
+
 }  // namespace
 }  // namespace burnish

@@ -153,6 +153,87 @@ TEST(Constraint, OfASliderThatComesBackToOneIsNothingAgain) {
   EXPECT_EQ(largest(edited.b), 0);
 }
 
+/// The same matrices for all cells: multiples of 1.
+struct EvenTarget {
+  EvenTarget(const TestSystem& system, float of_scale, float of_target)
+      : cells(system.prepared->cells.size()) {
+    for (TargetGradient& cell : cells)
+      for (const int diagonal : {0, 4, 8}) {
+        cell.of_scale[diagonal] = of_scale;
+        cell.of_target[diagonal] = of_target;
+      }
+  }
+
+  FieldsView in(FieldsView view, double strength) const {
+    view.target = {cells, strength, 1};
+    return view;
+  }
+
+  std::vector<TargetGradient> cells;
+};
+
+void expect_same(const Doubles& found, const Doubles& expected) {
+  const double least = 1e-13 * largest(expected);
+  for (size_t i = 0; i < found.size(); ++i)
+    ASSERT_LE((found[i] - expected[i]).abs().maxCoeff(), least) << i;
+}
+
+TEST(Constraint, OfATargetOfNoStrengthIsBitForBitThePlainOne) {
+  TestSystem system(reference::bumpy_sphere(3), 5);
+  system.fields.set_transfer_curve(test_curve(100));
+  system.fields.set_gradient_scale(2);
+  const auto depths = system.assembled();
+  Assembled edited(system, depths.back());
+  const Doubles plain = edited.b;
+  const EvenTarget target(system, 0.5, -0.25);
+  edited.constraint.assemble(target.in(system.fields.view(), 1), edited.b, edited.r);
+  EXPECT_NE(largest(edited.b), largest(plain));
+  edited.constraint.assemble(target.in(system.fields.view(), 0), edited.b, edited.r);
+  for (size_t i = 0; i < plain.size(); ++i) ASSERT_TRUE((edited.b[i] == plain[i]).all());
+}
+
+// With even matrices (β−1)(1 + s t1) + s t2 is what another β has less one.
+TEST(Constraint, OfAnEvenTargetIsThatOfAnotherBeta) {
+  TestSystem system(reference::bumpy_sphere(3), 5);
+  system.fields.set_transfer_curve(test_curve(100));
+  const auto depths = system.assembled();
+  const EvenTarget target(system, 0.5, -0.25);
+  for (const double strength : {0.5, 1.0})
+    for (const double beta : {0.0, 1.0, 3.0}) {
+      system.fields.set_gradient_scale(beta);
+      Assembled edited(system, depths.back());
+      edited.constraint.assemble(target.in(system.fields.view(), strength), edited.b, edited.r);
+      system.fields.set_gradient_scale(1 + (beta - 1) * (1 + 0.5 * strength) - 0.25 * strength);
+      expect_same(edited.b, constraint_of(system, depths.back()));
+      expect_same(edited.r, edited.b);
+    }
+}
+
+TEST(Constraint, AfterSlidersPaintAndTargetsInTurnIsWhatAFullSumGives) {
+  TestSystem system(reference::bumpy_sphere(3), 5);
+  system.fields.set_transfer_curve(test_curve(100));
+  const auto depths = system.assembled();
+  const EvenTarget target(system, 0.5, -0.25);
+  Assembled edited(system, depths.back());
+  const auto expect_sound = [&](double strength) {
+    const FieldsView view = target.in(system.fields.view(), strength);
+    edited.constraint.assemble(view, edited.b, edited.r);
+    Assembled fresh(system, depths.back());
+    fresh.constraint.assemble(view, fresh.b, fresh.r);
+    expect_same(edited.b, fresh.b);
+    expect_same(edited.r, edited.b);
+  };
+  expect_sound(1);
+  system.fields.set_gradient_scale(3);
+  expect_sound(1);
+  system.fields.paint(
+      {{.radius = 0.3, .strength = 0.5, .beta = 2}, {system.prepared->vertices[0]}});
+  expect_sound(1);
+  system.fields.set_gradient_scale(0.5);
+  expect_sound(0.25);
+  expect_sound(0);
+}
+
 TEST(Constraint, SumsToZeroOverTheCorners) {
   TestSystem system(reference::bumpy_sphere(3), 5);
   system.fields.set_gradient_scale(0);
