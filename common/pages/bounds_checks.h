@@ -4,6 +4,7 @@
 #include <string>
 
 #include "common/base/limits.h"
+#include "common/base/line_text.h"
 #include "common/base/status.h"
 #include "common/pages/directory.h"
 
@@ -13,8 +14,9 @@ namespace burnish {
 template <typename T>
 Status check_page_value(const std::string& name, T value, T least, T most) {
   if (value >= least && value <= most) return Status::ok();  // false for NaN
-  return data_loss(name + " " + std::to_string(value) + " is outside " + std::to_string(least) +
-                   ".." + std::to_string(most));
+  LineText message;
+  message << name << " " << value << " is outside " << least << ".." << most;
+  return data_loss(message.text());
 }
 
 /// Checks that bounds from outside are finite and not negative.

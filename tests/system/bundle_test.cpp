@@ -81,6 +81,14 @@ TEST_F(BundleOnAServer, AnUneditedScanComesOutByteForByte) {
   EXPECT_THAT(done({"import", in().string()}), HasSubstr("already there"));
 }
 
+TEST_F(BundleOnAServer, OneFileThatGoesAlongIsToldInTheSingular) {
+  std::filesystem::create_directories(path("one"));
+  server_.folder.write("one/ball.obj", "# another\n" + textured_obj());
+  server_.folder.write("one/ball.mtl", "newmtl skin\nKd 1 0 0\n");
+  EXPECT_THAT(done({"import", path("one/ball.obj"), "--depth", "5"}),
+              HasSubstr("with 1 file that it names: ball.mtl"));
+}
+
 TEST_F(BundleOnAServer, AnEditMovesTheObjAlone) {
   done({"edit", "work", "--beta", "0"});
   std::filesystem::create_directory(path("beside"));
@@ -96,6 +104,9 @@ TEST_F(BundleOnAServer, AFileWithOtherContentIsReplacedByForceOnly) {
   const CommandOutcome refused = server_.burnish({"export", "work", path("beside/out.obj")});
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_THAT(refused.output, HasSubstr("beside/ball.mtl"));
+  EXPECT_THAT(refused.output, HasSubstr("another folder"));
+  EXPECT_THAT(refused.output, HasSubstr("--force"));
+  EXPECT_THAT(refused.output, testing::Not(HasSubstr(".burnish-export")));
   EXPECT_EQ(content_of(path("beside/ball.mtl")), "mine");
   done({"export", "work", path("beside/out.obj"), "--force"});
   expect_same_files(path("beside"), "out.obj");

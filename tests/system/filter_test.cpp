@@ -229,6 +229,56 @@ TEST_F(FilterCommand, WrongOptionValuesAreUsageErrors) {
   EXPECT_FALSE(std::filesystem::exists(out()));
 }
 
+TEST_F(FilterCommand, ARangeIsToldInNumbersForPeople) {
+  const std::vector<std::pair<std::vector<std::string>, const char*>> cases = {
+      {{"--cap", "-1"}, "--cap: -1 is outside 0 to 1e+18"},
+      {{"--beta", "77"}, "--beta: 77 is outside 0 to 10"},
+      {{"--alpha", "-3"}, "--alpha: -3 is outside 0.01 to 100000"},
+      {{"--wavelength", "0"}, "--wavelength: 0 is not a number above 0"},
+      {{"--cycles", "0"}, "--cycles: 0 is outside 1 to "},
+      {{"--depth", "99"}, "--depth: 99 is outside 4 to 12"},
+      {{"--palette", ""}, "--palette: '' names nothing"}};
+  for (const auto& [options, text] : cases) {
+    std::vector<std::string> words = {"filter", in(), out()};
+    words.insert(words.end(), options.begin(), options.end());
+    EXPECT_EQ(burnish(words), 2);
+    EXPECT_THAT(output_, HasSubstr(text));
+    EXPECT_THAT(output_, Not(HasSubstr("000000")));
+  }
+}
+
+TEST_F(FilterCommand, AnEmptyPaletteIsRefusedWithItsName) {
+  for (const char* text : {"", "\n\n", "# curves to come\n"}) {
+    folder_.write("curves.txt", text);
+    EXPECT_EQ(burnish({"filter", in(), out(), "--palette", path("curves.txt")}), 1) << text;
+    EXPECT_THAT(output_, HasSubstr("curves.txt has no curves: a palette has 1 to 8"));
+  }
+}
+
+TEST_F(FilterCommand, ASurfaceThatIsTooThinIsRefusedByItsFile) {
+  folder_.write("thin.obj", "v 0 0 0\nv 1 0 0\nv 2 1e-14 0\nf 1 2 3\n");
+  EXPECT_EQ(burnish({"filter", path("thin.obj"), path("o.obj"), "--depth", "4"}), 1);
+  EXPECT_THAT(output_, HasSubstr("thin.obj: the grid of depth 4"));
+  EXPECT_THAT(output_, HasSubstr("holds no surface"));
+}
+
+TEST_F(FilterCommand, AnErrorNamesStandardInputAndNoFileOfTheProgramsOwn) {
+  for (const char* text : {"plx\n", "ply\nformat ascii 1.0\nend_header\n"}) {
+    const std::string file = folder_.write("wrong.ply", text).string();
+    Process process({"/bin/sh", "-c", "exec " BURNISH_BINARY " filter - - < " + file},
+                    folder_ / "log", {});
+    EXPECT_EQ(process.wait(kPatience).value_or(-1), 1);
+    EXPECT_THAT(process.output(), HasSubstr("standard input"));
+    EXPECT_THAT(process.output(), Not(HasSubstr("/in.ply")));
+  }
+}
+
+TEST_F(FilterCommand, OneRimIsToldInTheSingular) {
+  ASSERT_TRUE(write_mesh(make_sheet(20, 1, 0.1), in()).is_ok());
+  ASSERT_EQ(burnish({"filter", in(), out(), "--depth", "5", "--cycles", "1", "--beta", "0"}), 0);
+  EXPECT_THAT(output_, HasSubstr("the one rim stays where it is; --pin-rims off lets it move"));
+}
+
 TEST_F(FilterCommand, AWrongInputFailsWithItsPlaceAndWritesNothing) {
   std::ofstream(path("bad.obj")) << "v 0 0 0\nv 1 0 0\nv 0 nan 0\nf 1 2 3\n";
   EXPECT_EQ(burnish({"filter", path("bad.obj"), out()}), 1);

@@ -1,4 +1,5 @@
 #include <csignal>
+#include <filesystem>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -191,6 +192,11 @@ TEST(Workflow, ImportingTheSameBytesTwiceSaysSo) {
   EXPECT_THAT(
       done(server, {"import", scan, "--depth", "5", "--name", "other"}),
       testing::AllOf(HasSubstr("already there: sphere3"), HasSubstr("burnish rename scan")));
+  const std::string copy = (server.folder / "copy.ply").string();
+  std::filesystem::copy_file(scan, copy);
+  EXPECT_THAT(done(server, {"import", copy, "--depth", "5", "--json"}),
+              HasSubstr("keeps its name sphere3. To change it: burnish rename scan"));
+  EXPECT_THAT(done(server, {"import", scan, "--depth", "5"}), testing::Not(HasSubstr("keeps")));
   EXPECT_EQ(done_json(server, {"meshes"}).size(), 1u);
 }
 

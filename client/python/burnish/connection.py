@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import io
 import pathlib
+import warnings
 from types import TracebackType
 from typing import BinaryIO
 
@@ -77,13 +78,13 @@ class Connection:
         """Sends a mesh file, or a mesh, and returns the scan once it is prepared.
 
         The file alone is sent: pack an OBJ with its textures as .zip before. A file that the
-        server knows is not sent again, and keeps its name. `name` is refused when another scan has
-        it; by default it is the file's, with a number when another scan has that one;
-        `depth` of the grid is 4 to 12, or 0 for the server's choice.
+        server knows is not sent again, and keeps its name: a warning says which, if it is another.
+        `name` is refused when another scan has it; by default it is the file's, with a number when
+        another scan has that one; `depth` of the grid is 4 to 12, or 0 for the server's choice.
         """
         if isinstance(source, Mesh):
             file: BinaryIO = io.BytesIO(source.to_ply())
-            return self._import(file, name, "mesh", common_pb2.MESH_FORMAT_PLY, depth, progress)
+            return self._import(file, name, "", common_pb2.MESH_FORMAT_PLY, depth, progress)
         kind = format_of(source)
         with open(source, "rb") as file:
             return self._import(file, name, pathlib.Path(source).stem, kind, depth, progress)
@@ -91,15 +92,21 @@ class Connection:
     def _import(self, file: BinaryIO, name: str | None, otherwise: str,
                 kind: common_pb2.MeshFormat, depth: int, progress: Progress | None) -> Scan:
         sha256, size = sha256_of(file)
-        header = library_pb2.ImportHeader(name=name or otherwise, format=kind, size_bytes=size,
+        wanted = name or otherwise
+        header = library_pb2.ImportHeader(name=wanted or "mesh", format=kind, size_bytes=size,
                                           sha256=sha256, depth=depth, exact_name=bool(name))
 
-        def send() -> Scan:
+        def send() -> library_pb2.ImportDone:
             file.seek(0)
             return self._send(Upload(file, header), progress)
-        return self.calls.repeat(send)
+        done = self.calls.repeat(send)
+        if done.already_present and wanted and done.scan.name != wanted:
+            warnings.warn(f"the server has these bytes already: the scan keeps its name "
+                          f"'{done.scan.name}', not '{wanted}'; Scan.rename() changes it",
+                          stacklevel=3)
+        return Scan(self, done.scan)
 
-    def _send(self, upload: Upload, progress: Progress | None) -> Scan:
+    def _send(self, upload: Upload, progress: Progress | None) -> library_pb2.ImportDone:
         stream = self.calls.stream(self.calls.library.Import, upload.requests())
         with contextlib.closing(upload), contextlib.closing(stream) as events:
             for event in events:
@@ -108,7 +115,8 @@ class Connection:
                 elif event.HasField("progress"):
                     report(progress, event.progress)
                 elif event.HasField("done"):
-                    return Scan(self, event.done.scan)
+                    done: library_pb2.ImportDone = event.done
+                    return done
         raise Damaged("the import ended without an answer")
 
     def sessions(self) -> list[Session]:

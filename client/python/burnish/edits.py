@@ -10,6 +10,8 @@ import numpy.typing as npt
 
 from burnish.v1 import common_pb2, editing_pb2
 
+from ._arguments import check_all, check_fields, check_type
+
 FALL_OFFS = {"smooth": editing_pb2.FALL_OFF_SMOOTH, "linear": editing_pb2.FALL_OFF_LINEAR,
              "sharp": editing_pb2.FALL_OFF_SHARP, "constant": editing_pb2.FALL_OFF_CONSTANT}
 
@@ -22,8 +24,14 @@ class Change(Protocol):
 
 
 def rows(values: npt.ArrayLike, columns: int, what: str) -> npt.NDArray[np.float64]:
-    """Returns an n x `columns` array. Raises ValueError for another shape."""
-    array = np.asarray(values, np.float64)
+    """Returns an n x `columns` array.
+
+    Raises ValueError for another shape, TypeError for what is not numbers.
+    """
+    try:
+        array = np.asarray(values, np.float64)
+    except (TypeError, ValueError):
+        raise TypeError(f"{what} is {values!r}: it takes n x {columns} numbers") from None
     if array.ndim != 2 or array.shape[1] != columns:
         raise ValueError(f"{what} has the shape {array.shape}: it must be (n, {columns})")
     return array
@@ -34,6 +42,9 @@ class GradientScale:
     """The gradient scale of the whole scan. `beta`: 0 to 10; below 1 smooths, above 1 sharpens."""
 
     beta: float
+
+    def __post_init__(self) -> None:
+        check_fields(self, beta=float)
 
     def to_wire(self) -> dict[str, Any]:
         return {"gradient_scale": editing_pb2.SetGradientScale(beta=self.beta)}
@@ -49,9 +60,19 @@ class TransferCurve:
 
     points: Mapping[float, float]
 
+    def __post_init__(self) -> None:
+        if not isinstance(self.points, Mapping):
+            raise TypeError(f"TransferCurve: points is {self.points!r}, of type "
+                            f"{type(self.points).__name__}: it takes {{kappa: alpha, ...}}, "
+                            "or use TransferCurve.constant(alpha)")
+        for kappa, alpha in self.points.items():
+            check_type("TransferCurve: a kappa of points", kappa, float)
+            check_type(f"TransferCurve: points[{kappa!r}]", alpha, float)
+
     @classmethod
     def constant(cls, alpha: float) -> TransferCurve:
         """The same alpha everywhere."""
+        check_type("alpha", alpha, float)
         return cls({0.0: alpha})
 
     def message(self) -> editing_pb2.SetTransferCurve:
@@ -82,6 +103,11 @@ class Brush:
     colour: bool = False
     through: bool = False
 
+    def __post_init__(self) -> None:
+        check_fields(self, radius=float, beta=float, strength=float, fall_off=str, colour=bool,
+                     through=bool)
+        check_fields(self, optional=True, band=int, curve=int)
+
     def message(self) -> editing_pb2.Brush:
         if self.fall_off not in FALL_OFFS:
             raise ValueError(f"fall_off '{self.fall_off}' is not one of {', '.join(FALL_OFFS)}")
@@ -102,6 +128,9 @@ class Stroke:
     brush: Brush
     path: npt.ArrayLike
 
+    def __post_init__(self) -> None:
+        check_fields(self, brush=Brush)
+
     def to_wire(self) -> dict[str, Any]:
         points = [common_pb2.Point(x=x, y=y, z=z)
                   for x, y, z in rows(self.path, 3, "a stroke's path").tolist()]
@@ -120,6 +149,9 @@ class Controls:
     cap: float = 0.0
     keep_volume: bool = False
 
+    def __post_init__(self) -> None:
+        check_fields(self, pin_rims=bool, cap=float, keep_volume=bool)
+
     def to_wire(self) -> dict[str, Any]:
         return {"controls": editing_pb2.Controls(pin_rims=self.pin_rims, cap=self.cap,
                                                  keep_volume=self.keep_volume)}
@@ -132,12 +164,18 @@ class Band:
     size: float
     gain: float
 
+    def __post_init__(self) -> None:
+        check_fields(self, size=float, gain=float)
+
 
 @dataclasses.dataclass(frozen=True)
 class Equaliser:
     """Gains by the size of details: 0 to 6 bands, from fine to coarse, each 1.2 times the last."""
 
     bands: Sequence[Band]
+
+    def __post_init__(self) -> None:
+        check_all("Equaliser: bands", self.bands, Band)
 
     def to_wire(self) -> dict[str, Any]:
         return {"equaliser": editing_pb2.Equaliser(
@@ -152,12 +190,18 @@ class PaletteCurve:
     curve: TransferCurve
     colour: int = 0xFF8000
 
+    def __post_init__(self) -> None:
+        check_fields(self, name=str, curve=TransferCurve, colour=int)
+
 
 @dataclasses.dataclass(frozen=True)
 class Palette:
     """Curves for brushes to paint, at most 8."""
 
     curves: Sequence[PaletteCurve]
+
+    def __post_init__(self) -> None:
+        check_all("Palette: curves", self.curves, PaletteCurve)
 
     def to_wire(self) -> dict[str, Any]:
         return {"palette": editing_pb2.Palette(curves=[
@@ -171,6 +215,9 @@ class ColourFilter:
 
     beta: float
     alpha: float = 50.0
+
+    def __post_init__(self) -> None:
+        check_fields(self, beta=float, alpha=float)
 
     def to_wire(self) -> dict[str, Any]:
         return {"colour": editing_pb2.ColourFilter(alpha=self.alpha, beta=self.beta)}

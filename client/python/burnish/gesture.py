@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from burnish.v1 import editing_pb2
 
+from ._arguments import with_change
 from .edits import Change
 
 if TYPE_CHECKING:
@@ -35,7 +36,7 @@ class Gesture:
 
     def show(self, change: Change) -> None:
         """Lets everybody see the change. Raises ValueError for one that has no preview."""
-        wire = change.to_wire()
+        wire = with_change(change).to_wire()
         if not set(wire) <= set(SHOWN):
             raise ValueError(f"{type(change).__name__} has no preview")
         self._is_shown = True

@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from burnish.v1 import editing_pb2
 
+from ._arguments import with_change
 from ._calls import Calls
 from .edits import Change
 from .frame import Frame
@@ -94,7 +95,8 @@ class Live:
     def apply_as(self, changes: list[tuple[str, Change]],
                  timeout: float = TIMEOUT_SECONDS) -> list[int]:
         """As apply(), with an id for each edit: 1 to 64 characters, '!' to '~'."""
-        edits = [editing_pb2.Edit(id=edit_id, **change.to_wire()) for edit_id, change in changes]
+        edits = [editing_pb2.Edit(id=edit_id, **with_change(change).to_wire())
+                 for edit_id, change in changes]
         with self._link.changed:
             answer = self._link.apply(edits, timeout)
             self._edits = max(self._edits, answer.edits)

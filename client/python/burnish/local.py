@@ -5,7 +5,6 @@ from __future__ import annotations
 import collections
 import dataclasses
 import json
-import numbers
 import os
 import pathlib
 import signal
@@ -14,6 +13,7 @@ import tempfile
 import threading
 from typing import Any, Sequence
 
+from ._arguments import check_all, check_fields
 from ._channel import PathLike
 from .edits import Band, Controls, TransferCurve
 from .errors import Error, InvalidArgument, error_of
@@ -24,22 +24,11 @@ from .progress import Progress
 USAGE = 2  # the program's exit code for wrong options
 
 
-_TYPES: dict[str, Any] = {"curve": TransferCurve, "preset": str, "controls": Controls,
-                           "depth": numbers.Integral, "cycles": numbers.Integral, "exact": bool}
-
-
-def _check_type(name: str, value: object, wanted: Any) -> None:
-    if not isinstance(value, wanted):
-        words = {numbers.Real: "a number", numbers.Integral: "a whole number", str: "a text",
-                 bool: "True or False"}
-        raise InvalidArgument(f"{name} is {value!r}: it takes {words.get(wanted, 'a ' + wanted.__name__)}")
-
-
 @dataclasses.dataclass(frozen=True)
 class Options:
     """A filter. None: as the program's default says. Lengths are in the scan's units.
 
-    Raises InvalidArgument for a value of a wrong type.
+    Raises TypeError for a value of a wrong type.
     """
 
     beta: float | None = None
@@ -67,11 +56,11 @@ class Options:
     """Solve with exactly so many cycles."""
 
     def __post_init__(self) -> None:
-        for name, value in vars(self).items():
-            if name != "bands" and value is not None:
-                _check_type(name, value, _TYPES.get(name, numbers.Real))
-        for number, band in enumerate(self.bands, 1):
-            _check_type(f"band {number}", band, Band)
+        check_fields(self, optional=True, beta=float, alpha=float, wavelength=float,
+                     curve=TransferCurve, preset=str, strength=float, colour_beta=float,
+                     colour_alpha=float, controls=Controls, depth=int, cycles=int)
+        check_fields(self, exact=bool)
+        check_all("Options: bands", self.bands, Band)
 
     def words(self) -> list[str]:
         """Returns the options of `burnish filter`."""

@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from burnish.v1 import common_pb2, editing_pb2
 
+from ._arguments import check_fields
 from .edits import rows
 
 
@@ -24,6 +25,9 @@ class ProtectCurvature:
     most: float
     release: bool = False
 
+    def __post_init__(self) -> None:
+        check_fields(self, least=float, most=float, release=bool)
+
     def to_wire(self) -> dict[str, Any]:
         return {"protect": editing_pb2.Protect(release=self.release, curvature=(
             editing_pb2.CurvatureRange(least=self.least, most=self.most)))}
@@ -35,6 +39,9 @@ class ProtectPiece:
 
     point: npt.ArrayLike
     release: bool = False
+
+    def __post_init__(self) -> None:
+        check_fields(self, release=bool)
 
     def to_wire(self) -> dict[str, Any]:
         (x, y, z), = rows(np.reshape(self.point, (1, -1)), 3, "a point")
@@ -55,6 +62,9 @@ class ProtectLasso:
     through: bool = False
     release: bool = False
 
+    def __post_init__(self) -> None:
+        check_fields(self, through=bool, release=bool)
+
     def to_wire(self) -> dict[str, Any]:
         matrix = rows(self.view_projection, 4, "view_projection")
         lasso = editing_pb2.Lasso(view_projection=matrix.ravel().tolist(), through=self.through,
@@ -67,6 +77,9 @@ class GrowProtected:
     """Grows the protected region by 1 to 64 `cells`; below 0 it shrinks."""
 
     cells: int
+
+    def __post_init__(self) -> None:
+        check_fields(self, cells=int)
 
     def to_wire(self) -> dict[str, Any]:
         return {"protect": editing_pb2.Protect(grow=self.cells)}

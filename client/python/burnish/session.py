@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from burnish.v1 import common_pb2, editing_pb2, library_pb2
 
+from ._arguments import with_change
 from ._calls import Calls
 from ._channel import PathLike
 from .cells import CELL_VALUES, CellFields, cell_messages
@@ -30,7 +31,7 @@ LINES = tuple[list[npt.NDArray[np.float64]], list[npt.NDArray[np.float64]]]
 
 def edit_of(change: Change) -> editing_pb2.Edit:
     """Returns an edit with a random id: a session knows an id that it has seen."""
-    return editing_pb2.Edit(id=secrets.token_hex(10), **change.to_wire())
+    return editing_pb2.Edit(id=secrets.token_hex(10), **with_change(change).to_wire())
 
 
 class Session:
@@ -150,6 +151,8 @@ class Session:
 
         `value`: beta, kappa1, kappa2, alpha1, alpha2 (all times L), protected or curve.
         """
+        if value not in CELL_VALUES:
+            raise ValueError(f"value {value!r} is not one of {', '.join(CELL_VALUES)}")
         request = editing_pb2.GetCellsRequest(session=self.id, value=CELL_VALUES[value])
         chunks: list[common_pb2.Chunk] = self._calls.repeat(lambda: list(self._calls.stream(
             self._editing.GetCells, request)))

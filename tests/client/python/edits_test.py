@@ -40,6 +40,30 @@ class Edits(Sdk):
         self.assertEqual(state.curve.points, {-3.0: 20.0, 3.0: 80.0})
         self.assertEqual(state.bands, [burnish.Band(1, 0), burnish.Band(2, 2)])
 
+    def test_a_wrong_type_is_told_with_the_argument_its_value_and_what_it_takes(self):
+        for words, make in (
+                (("points", "'1'", "TransferCurve.constant"), lambda: burnish.TransferCurve("1")),
+                (("alpha", "'8'", "a number"), lambda: self.session.set_alpha("8")),
+                (("beta", "None", "a number"), lambda: self.session.set_beta(None)),
+                (("radius", "'2'", "a number"), lambda: burnish.Brush("2")),
+                (("brush", "2", "a Brush"), lambda: burnish.Stroke(2, [[0, 0, 0]])),
+                (("path", "'x'", "numbers"),
+                 lambda: self.session.apply(burnish.Stroke(burnish.Brush(2), "x"))),
+                (("pin_rims", "'off'", "True or False"), lambda: burnish.Controls("off")),
+                (("curve", "'1'", "a TransferCurve"), lambda: burnish.PaletteCurve("a", "1")),
+                (("curves[0]", "'a'", "a PaletteCurve"), lambda: burnish.Palette(["a"])),
+                (("cells", "1.5", "a whole number"), lambda: burnish.GrowProtected(1.5)),
+                (("change", "0.5", "GradientScale(0.5)"), lambda: self.session.apply(0.5)),
+                (("change", "InvertProtected", "GradientScale(0.5)"),
+                 lambda: self.session.apply(burnish.InvertProtected))):
+            with self.assertRaises(TypeError) as raised:
+                make()
+            for word in words:
+                self.assertIn(word, str(raised.exception))
+        with self.assertRaisesRegex(ValueError, "'gamma' is not one of beta"):
+            self.session.cells("gamma")
+        self.assertEqual(self.summaries(), [])
+
     def test_a_brush_is_connected_unless_it_goes_through(self):
         path = self.mesh.vertices[:1]
         brushes = [burnish.Brush(2), burnish.Brush(2, through=True)]

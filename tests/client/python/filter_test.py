@@ -66,17 +66,31 @@ class Filter(unittest.TestCase):
             burnish.filter(self.source, out, beta=11)
         with self.assertRaisesRegex(burnish.FailedPrecondition, "colours"):
             burnish.filter(self.source, out, colour_beta=0.5, **QUICK)
-        with self.assertRaisesRegex(burnish.InvalidArgument, "curve is '1': it takes a TransferCurve"):
-            burnish.filter(self.source, out, curve="1")
-        with self.assertRaisesRegex(burnish.InvalidArgument, "beta is '1': it takes a number"):
-            burnish.filter(self.source, out, beta="1")
-        with self.assertRaisesRegex(burnish.InvalidArgument, "depth is 5.5: it takes a whole number"):
-            burnish.filter(self.source, out, depth=5.5)
-        with self.assertRaisesRegex(burnish.InvalidArgument, "band 1 is 0.5: it takes a Band"):
-            burnish.filter(self.source, out, bands=[0.5])
         with self.assertRaises(TypeError):
             burnish.filter(self.source, out, betta=1)
         self.assertFalse(out.exists())
+
+    def test_a_wrong_type_is_told_with_the_argument_its_value_and_what_it_takes(self):
+        out = self.folder / "out.ply"
+        for words, options in ((("curve", "'1'", "a TransferCurve"), {"curve": "1"}),
+                               (("beta", "'0.5'", "a number"), {"beta": "0.5"}),
+                               (("depth", "5.5", "a whole number"), {"depth": 5.5}),
+                               (("exact", "'no'", "True or False"), {"exact": "no"}),
+                               (("bands", "3", "a sequence"), {"bands": 3}),
+                               (("bands[0]", "(1, 2)", "a Band"), {"bands": [(1, 2)]}),
+                               (("controls", "0.5", "a Controls"), {"controls": 0.5})):
+            with self.assertRaises(TypeError) as raised:
+                burnish.filter(self.source, out, **options)
+            for word in words:
+                self.assertIn(word, str(raised.exception))
+        burnish.filter(self.source, out, beta=np.float32(0.5), depth=np.int64(4), cycles=1)
+        self.assertTrue(out.exists())
+
+    def test_an_error_of_a_mesh_names_no_file_that_its_user_does_not_know(self):
+        flat = burnish.Mesh([[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 2]])
+        with self.assertRaisesRegex(burnish.Refused, "the mesh") as raised:
+            burnish.filter_mesh(flat, beta=0)
+        self.assertNotIn(tempfile.gettempdir(), str(raised.exception))
 
     def test_a_folder_is_filtered_with_a_result_for_each_file(self):
         (self.folder / "bad.ply").write_text("plx")

@@ -1,6 +1,7 @@
 """Connections and scans."""
 
 import unittest
+import warnings
 
 import numpy as np
 
@@ -37,7 +38,13 @@ class Library(Sdk):
             self.connection.scan(scan.id)
 
     def test_a_known_scan_keeps_its_name(self):
-        self.assertEqual(self.connection.import_scan(self.mesh, "again", depth=DEPTH).name, "sphere")
+        with self.assertWarnsRegex(UserWarning, "'sphere', not 'again'"):
+            scan = self.connection.import_scan(self.mesh, "again", depth=DEPTH)
+        self.assertEqual(scan.name, "sphere")
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.connection.import_scan(self.mesh, "sphere", depth=DEPTH)
+            self.connection.import_scan(self.mesh, depth=DEPTH)
 
     def test_a_scan_has_a_name_and_a_unit(self):
         scan = self.connection.scan(self.scan.id[:12])
