@@ -11,7 +11,7 @@ void Document::show_over(bool protection, bool curves) {
   over_wish_ = {protection, curves};
 }
 
-// Servers tell the newer kinds of edits as cell fields.
+// Older servers tell a protection as cell fields.
 Document::Over Document::over_now() const {
   const auto is_protecting = [](const HistoryEntry& entry) {
     return (entry.kind == EditKind::kProtect || entry.kind == EditKind::kCellFields) &&

@@ -1,7 +1,6 @@
 #include "common/edit/edit.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 
 #include "common/base/text.h"
@@ -80,13 +79,6 @@ static Status validate_change(const Damaged& change) {
 
 Status validate(const Edit& edit) {
   return std::visit([](const auto& change) { return validate_change(change); }, edit.change);
-}
-
-const char* edit_kind_name(EditKind kind) {
-  static constexpr std::array kNames = {"slider",  "curve",     "stroke",     "cells",   "controls",
-                                        "protect", "equaliser", "palette",    "colour",  "undo",
-                                        "redo",    "switch",    "checkpoint", "restore", "damaged"};
-  return kNames[static_cast<size_t>(kind)];
 }
 
 namespace {

@@ -87,20 +87,21 @@ struct Damaged {
   std::string reason;
 };
 
+using Change = std::variant<SetGradientScale, SetTransferCurve, Stroke, SetCellFields, SetControls,
+                            Protect, SetEqualiser, SetPalette, SetColour, Undo, Redo, SwitchEntry,
+                            SetCheckpoint, RestoreCheckpoint, Damaged>;
+
 /// One change of a session. The client chooses the id; applying an id twice is harmless.
 struct Edit {
   std::string id;
-  std::variant<SetGradientScale, SetTransferCurve, Stroke, SetCellFields, SetControls, Protect,
-               SetEqualiser, SetPalette, SetColour, Undo, Redo, SwitchEntry, SetCheckpoint,
-               RestoreCheckpoint, Damaged>
-      change;
+  Change change;
 };
 
 /// What a gesture shows before it is an edit.
 using PreviewChange =
     std::variant<SetGradientScale, SetTransferCurve, Stroke, SetEqualiser, SetPalette, SetColour>;
 
-/// In the order of Edit::change.
+/// In the order of Change. edit_kinds.cpp has a row for each.
 enum class EditKind {
   kGradientScale,
   kTransferCurve,
@@ -124,9 +125,7 @@ inline EditKind kind_of(const Edit& edit) {
 }
 
 /// Returns true for edits that fields are made of. The other kinds only say which of these count.
-inline bool makes_fields(EditKind kind) {
-  return kind <= EditKind::kColour;
-}
+bool makes_fields(EditKind kind);
 
 /// "slider", "curve", "stroke", "cells", "controls", "protect", "equaliser", "palette",
 /// "colour", "undo", "redo", "switch", "checkpoint", "restore", "damaged".

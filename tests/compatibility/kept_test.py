@@ -22,6 +22,18 @@ KEPT = sorted(path for path in (HERE / "kept").iterdir())
 EXACT = 1e-5  # the bar of an exact export over the box's diagonal; both exports may use all of it
 
 
+KINDS_NAMED_LATER = {"cell fields", "controls", "protect", "equaliser", "palette", "colour"}
+
+
+def with_kinds_of_today(then, now):
+    """Returns what a version saw, but for a cured fault: 0.1.0 called several kinds of edits other."""
+    for name, session in then.items():
+        for before, after in zip(session["history"], now[name]["history"]):
+            if before[2] == "other" and after[2] in KINDS_NAMED_LATER:
+                before[2] = after[2]
+    return then
+
+
 def unpack(archive, folder):
     with tarfile.open(archive) as packed:
         packed.extractall(folder)
@@ -55,7 +67,8 @@ class Kept(unittest.TestCase):
         server.start()
         with burnish.connect(f"unix:{server.socket}", user="anna") as anna:
             seen = sculpture.view(anna, self.folder)
-            self.assertEqual(seen, json.loads((server.folder / "seen.json").read_text()))
+            then = json.loads((server.folder / "seen.json").read_text())
+            self.assertEqual(seen, with_kinds_of_today(then, seen))
             for name in seen:
                 self.check_surface(burnish.load_ply(server.folder / f"{name}.ply"),
                                    burnish.load_ply(self.folder / f"{name}.ply"))

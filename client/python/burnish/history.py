@@ -15,9 +15,20 @@ from .scan import ThinWalls
 
 KINDS = {editing_pb2.ENTRY_KIND_GRADIENT_SCALE: "gradient scale",
          editing_pb2.ENTRY_KIND_TRANSFER_CURVE: "transfer curve",
-         editing_pb2.ENTRY_KIND_STROKE: "stroke", editing_pb2.ENTRY_KIND_CELL_FIELDS: "other",
-         editing_pb2.ENTRY_KIND_CHECKPOINT: "checkpoint",
+         editing_pb2.ENTRY_KIND_STROKE: "stroke", editing_pb2.ENTRY_KIND_CELL_FIELDS: "cell fields",
+         editing_pb2.ENTRY_KIND_CONTROLS: "controls", editing_pb2.ENTRY_KIND_PROTECT: "protect",
+         editing_pb2.ENTRY_KIND_EQUALISER: "equaliser", editing_pb2.ENTRY_KIND_PALETTE: "palette",
+         editing_pb2.ENTRY_KIND_COLOUR: "colour", editing_pb2.ENTRY_KIND_CHECKPOINT: "checkpoint",
          editing_pb2.ENTRY_KIND_DAMAGED: "damaged"}
+
+
+def _kind(message: editing_pb2.HistoryEntry) -> str:
+    exact = KINDS.get(message.exact_kind)
+    if exact:
+        return exact
+    # Older servers tell all later kinds as cell fields.
+    is_clear = message.kind != editing_pb2.ENTRY_KIND_CELL_FIELDS
+    return KINDS.get(message.kind, "other") if is_clear else "other"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -30,7 +41,8 @@ class Entry:
     """Empty for a user without a name."""
     time: datetime.datetime
     kind: str
-    """gradient scale, transfer curve, stroke, checkpoint, damaged, or other: see the summary."""
+    """gradient scale, transfer curve, stroke, cell fields, controls, protect, equaliser, palette,
+    colour, checkpoint or damaged; other where neither program knows more: see the summary."""
     summary: str
     """In a few words; a checkpoint's name."""
     enabled: bool
@@ -38,8 +50,8 @@ class Entry:
     @classmethod
     def of(cls, message: editing_pb2.HistoryEntry) -> Entry:
         time = datetime.datetime.fromtimestamp(message.unix_ms / 1000, datetime.timezone.utc)
-        return cls(message.number, message.author, time, KINDS.get(message.kind, "other"),
-                   message.summary, message.enabled)
+        return cls(message.number, message.author, time, _kind(message), message.summary,
+                   message.enabled)
 
 
 @dataclasses.dataclass(frozen=True)

@@ -32,8 +32,9 @@ class Edits(Sdk):
             burnish.ProtectPiece(self.mesh.vertices[0]),
             burnish.ProtectLasso(np.eye(4) / 20, [[-1, -1], [1, -1], [0, 1]], release=True))
         self.assertEqual(numbers, list(range(1, 15)))
-        self.assertEqual([entry.kind for entry in self.session.history()][:3],
-                         ["gradient scale", "transfer curve", "other"])
+        self.assertEqual([entry.kind for entry in self.session.history()],
+                         ["gradient scale", "transfer curve", "controls", "equaliser", "palette",
+                          *["stroke"] * 3, *["protect"] * 6])
         self.assertEqual({entry.author for entry in self.session.history()}, {"Zoë"})
         state = self.session.state()
         self.assertEqual((state.beta, state.controls.cap, state.edits), (0.5, 0.5, 14))

@@ -8,21 +8,46 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(HistoryWire, APageComesBackUnchanged) {
+/// A page of an entry of each kind that entries have.
+HistoryPage page_of_all_kinds() {
   HistoryPage page;
+  for (size_t i = 0; i < std::variant_size_v<Change>; ++i) {
+    const auto kind = static_cast<EditKind>(i);
+    if (makes_fields(kind) || kind == EditKind::kSetCheckpoint || kind == EditKind::kDamaged)
+      page.entries.push_back({i + 1, "id", "ann", 123, kind, "what", false});
+  }
+  return page;
+}
+
+TEST(HistoryWire, APageComesBackUnchanged) {
+  HistoryPage page = page_of_all_kinds();
   page.complete = false;
-  for (const EditKind kind : {EditKind::kGradientScale, EditKind::kTransferCurve, EditKind::kStroke,
-                              EditKind::kCellFields, EditKind::kSetCheckpoint, EditKind::kDamaged})
-    page.entries.push_back({page.entries.size() + 1, "id", "ann", 123, kind, "what", false});
   const HistoryPage back = from_wire(to_wire(page)).value();
   EXPECT_FALSE(back.complete);
-  ASSERT_EQ(back.entries.size(), 6u);
-  for (size_t i = 0; i < 6; ++i) {
-    EXPECT_EQ(back.entries[i].number, i + 1);
+  ASSERT_EQ(back.entries.size(), 11u);
+  for (size_t i = 0; i < back.entries.size(); ++i) {
+    EXPECT_EQ(back.entries[i].number, page.entries[i].number);
     EXPECT_EQ(back.entries[i].kind, page.entries[i].kind);
     EXPECT_EQ(back.entries[i].author, "ann");
     EXPECT_FALSE(back.entries[i].enabled);
   }
+}
+
+TEST(HistoryWire, OlderClientsGetTheKindsThatTheyKnow) {
+  const v1::GetHistoryResponse message = to_wire(page_of_all_kinds());
+  for (const v1::HistoryEntry& entry : message.entries()) {
+    EXPECT_GE(entry.kind(), v1::ENTRY_KIND_GRADIENT_SCALE);
+    EXPECT_LE(entry.kind(), v1::ENTRY_KIND_DAMAGED);
+  }
+}
+
+TEST(HistoryWire, EntriesOfOlderAndNewerServersAreUnderstood) {
+  v1::GetHistoryResponse message;
+  message.add_entries()->set_kind(v1::ENTRY_KIND_STROKE);
+  EXPECT_EQ(from_wire(message).value().entries[0].kind, EditKind::kStroke);
+  message.mutable_entries(0)->set_kind(v1::ENTRY_KIND_CELL_FIELDS);
+  message.mutable_entries(0)->set_exact_kind(static_cast<v1::EntryKind>(99));
+  EXPECT_EQ(from_wire(message).value().entries[0].kind, EditKind::kCellFields);
 }
 
 TEST(HistoryWire, APageAboveTheLimitIsRefused) {
