@@ -75,6 +75,10 @@ class TransferCurve:
         check_type("alpha", alpha, float)
         return cls({0.0: alpha})
 
+    @classmethod
+    def of(cls, message: editing_pb2.SetTransferCurve) -> TransferCurve:
+        return cls({point.kappa: point.alpha for point in message.points})
+
     def message(self) -> editing_pb2.SetTransferCurve:
         return editing_pb2.SetTransferCurve(points=[
             editing_pb2.CurvePoint(kappa=kappa, alpha=alpha)

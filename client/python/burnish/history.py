@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from burnish.v1 import editing_pb2
 
-from .edits import Band, Controls, TransferCurve
+from .edits import Band, ColourFilter, Controls, PaletteCurve, TransferCurve
 from .scan import ThinWalls
 
 KINDS = {editing_pb2.ENTRY_KIND_GRADIENT_SCALE: "gradient scale",
@@ -75,17 +75,25 @@ class State:
     rims_held: int
     walls: ThinWalls
     """Of the scan at this depth."""
+    palette: list[PaletteCurve]
+    """That a brush can paint."""
+    colour: ColourFilter
+    """Of the scan's colours; beta 1 keeps them."""
 
     @classmethod
     def of(cls, message: editing_pb2.SessionState) -> State:
-        controls = message.controls
+        controls, colour = message.controls, message.colour
         return cls(message.gradient_scale,
-                   TransferCurve({p.kappa: p.alpha for p in message.transfer_curve.points}),
+                   TransferCurve.of(message.transfer_curve),
                    Controls(controls.pin_rims, controls.cap, controls.keep_volume),
                    [Band(band.size, band.gain) for band in message.equaliser.bands],
                    message.session.edits, message.cycles, message.distance, message.memory_bytes,
                    message.backend, message.rims, message.rims_held,
-                   ThinWalls.of(message.walls))
+                   ThinWalls.of(message.walls),
+                   [PaletteCurve(one.name, TransferCurve.of(one.curve), one.colour)
+                    for one in message.palette.curves],
+                   ColourFilter(colour.beta, colour.alpha) if message.HasField("colour")
+                   else ColourFilter(1.0))
 
 
 @dataclasses.dataclass(frozen=True)

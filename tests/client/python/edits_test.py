@@ -40,6 +40,8 @@ class Edits(Sdk):
         self.assertEqual((state.beta, state.controls.cap, state.edits), (0.5, 0.5, 14))
         self.assertEqual(state.curve.points, {-3.0: 20.0, 3.0: 80.0})
         self.assertEqual(state.bands, [burnish.Band(1, 0), burnish.Band(2, 2)])
+        self.assertEqual(state.palette, [burnish.PaletteCurve("edges", COARSE)])
+        self.assertEqual(state.colour, burnish.ColourFilter(1))
 
     def test_a_wrong_type_is_told_with_the_argument_its_value_and_what_it_takes(self):
         for words, make in (
