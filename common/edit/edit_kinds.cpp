@@ -1,41 +1,137 @@
+#include <algorithm>
 #include <array>
+#include <cstdio>
 #include <type_traits>
 
+#include "common/base/text.h"
 #include "common/edit/edit.h"
 
 namespace burnish {
 namespace {
+
+std::string number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", x);
+  return text;
+}
+
+std::string count(size_t n, const char* what) {
+  return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+}
+
+std::string painted_text(const Brush& brush) {
+  if (brush.band > 0)
+    return "band " + std::to_string(brush.band) + " at gain " + number(brush.beta);
+  if (brush.curve > 0) return "curve " + std::to_string(brush.curve);
+  return (brush.colour ? "colours at beta " : "beta ") + number(brush.beta);
+}
+
+std::string text_of(const Stroke& stroke) {
+  return "stroke of " + count(stroke.path.size(), "point") + ", radius " +
+         number(stroke.brush.radius) + ", " + painted_text(stroke.brush);
+}
+
+std::string text_of(const TransferCurve& curve) {
+  const auto& points = curve.points();
+  if (curve.is_constant()) return "alpha " + number(points.front().alpha);
+  return "curve of " + count(points.size(), "point") + ", contrast " + number(curve.contrast());
+}
+
+Status check_cells(const SetCellFields& change) {
+  for (size_t i = 0; i < change.cells.size(); ++i) {
+    const auto& cell = change.cells[i];
+    const std::string where = "cell field " + std::to_string(i + 1);
+    RETURN_IF_ERROR(check_alpha(cell.alpha1).with_context(where + ": alpha1"));
+    RETURN_IF_ERROR(check_alpha(cell.alpha2).with_context(where + ": alpha2"));
+    RETURN_IF_ERROR(check_beta(cell.beta).with_context(where));
+    const double largest = std::max(cell.alpha1, cell.alpha2);
+    if (largest > kCurveContrastMax * std::min(cell.alpha1, cell.alpha2))
+      return invalid_argument(where + ": alpha1 and alpha2 differ by more than a factor of 1000");
+  }
+  return Status::ok();
+}
 
 /// What holds for all edits of a kind.
 struct EditKindFacts {
   EditKind kind;
   const char* name;
   bool makes_fields;
+  Status (*check)(const Change&);
+  std::string (*summary)(const Change&);
 };
 
-/// A kind that has another type's place does not compile.
-template <EditKind kKind, typename T>
-constexpr EditKindFacts facts(const char* name, bool makes_fields) {
-  static_assert(std::is_same_v<std::variant_alternative_t<static_cast<size_t>(kKind), Change>, T>);
-  return {kKind, name, makes_fields};
+/// `check` and `summary` are lambdas without captures that take the kind's own type. A kind that
+/// has another type's place does not compile.
+template <EditKind kKind, typename Check, typename Summary>
+constexpr EditKindFacts facts(const char* name, bool makes_fields, Check, Summary) {
+  constexpr auto kPlace = static_cast<size_t>(kKind);
+  return {kKind, name, makes_fields,
+          [](const Change& change) { return Check{}(std::get<kPlace>(change)); },
+          [](const Change& change) { return Summary{}(std::get<kPlace>(change)); }};
 }
 
+template <typename T>
+constexpr auto kAnyValue = [](const T&) { return Status::ok(); };
+
 constexpr std::array<EditKindFacts, std::variant_size_v<Change>> kEditKinds = {
-    facts<EditKind::kGradientScale, SetGradientScale>("slider", true),
-    facts<EditKind::kTransferCurve, SetTransferCurve>("curve", true),
-    facts<EditKind::kStroke, Stroke>("stroke", true),
-    facts<EditKind::kCellFields, SetCellFields>("cells", true),
-    facts<EditKind::kControls, SetControls>("controls", true),
-    facts<EditKind::kProtect, Protect>("protect", true),
-    facts<EditKind::kEqualiser, SetEqualiser>("equaliser", true),
-    facts<EditKind::kPalette, SetPalette>("palette", true),
-    facts<EditKind::kColour, SetColour>("colour", true),
-    facts<EditKind::kUndo, Undo>("undo", false),
-    facts<EditKind::kRedo, Redo>("redo", false),
-    facts<EditKind::kSwitchEntry, SwitchEntry>("switch", false),
-    facts<EditKind::kSetCheckpoint, SetCheckpoint>("checkpoint", false),
-    facts<EditKind::kRestoreCheckpoint, RestoreCheckpoint>("restore", false),
-    facts<EditKind::kDamaged, Damaged>("damaged", false),
+    facts<EditKind::kGradientScale>(
+        "slider", true, [](const SetGradientScale& change) { return check_beta(change.beta); },
+        [](const SetGradientScale& change) { return "beta " + number(change.beta); }),
+    facts<EditKind::kTransferCurve>(
+        "curve", true, kAnyValue<SetTransferCurve>,  // a curve is checked where it is made
+        [](const SetTransferCurve& change) { return text_of(change.curve); }),
+    facts<EditKind::kStroke>(
+        "stroke", true, [](const Stroke& stroke) { return validate(stroke); },
+        [](const Stroke& stroke) { return text_of(stroke); }),
+    facts<EditKind::kCellFields>(
+        "cells", true, [](const SetCellFields& change) { return check_cells(change); },
+        [](const SetCellFields& change) {
+          return "fields of " + count(change.cells.size(), "cell");
+        }),
+    facts<EditKind::kControls>(
+        "controls", true, [](const SetControls& change) { return check_controls(change.controls); },
+        [](const SetControls& change) { return text_of(change.controls); }),
+    facts<EditKind::kProtect>(
+        "protect", true, [](const Protect& change) { return validate(change); },
+        [](const Protect& change) { return summary(change); }),
+    facts<EditKind::kEqualiser>(
+        "equaliser", true,
+        [](const SetEqualiser& change) { return check_equaliser(change.equaliser); },
+        [](const SetEqualiser& change) { return text_of(change.equaliser); }),
+    facts<EditKind::kPalette>(
+        "palette", true, [](const SetPalette& change) { return check_palette(change.palette); },
+        [](const SetPalette& change) { return text_of(change.palette); }),
+    facts<EditKind::kColour>(
+        "colour", true, [](const SetColour& change) { return check_colour_filter(change.filter); },
+        [](const SetColour& change) { return text_of(change.filter); }),
+    facts<EditKind::kUndo>("undo", false, kAnyValue<Undo>,
+                           [](const Undo&) { return std::string("undo"); }),
+    facts<EditKind::kRedo>("redo", false, kAnyValue<Redo>,
+                           [](const Redo&) { return std::string("redo"); }),
+    facts<EditKind::kSwitchEntry>(
+        "switch", false,
+        [](const SwitchEntry& change) {
+          return change.entry > 0 ? Status::ok() : invalid_argument("entries are numbered from 1");
+        },
+        [](const SwitchEntry& change) {
+          return std::string("switch ") + (change.enabled ? "on " : "off ") +
+                 std::to_string(change.entry);
+        }),
+    facts<EditKind::kSetCheckpoint>(
+        "checkpoint", false,
+        [](const SetCheckpoint& change) {
+          return check_name("the checkpoint's name", change.name);
+        },
+        [](const SetCheckpoint& change) { return change.name; }),
+    facts<EditKind::kRestoreCheckpoint>(
+        "restore", false,
+        [](const RestoreCheckpoint& change) {
+          return check_name("the checkpoint's name", change.name);
+        },
+        [](const RestoreCheckpoint& change) { return "restore " + change.name; }),
+    facts<EditKind::kDamaged>(
+        "damaged", false, [](const Damaged& change) { return data_loss(change.reason); },
+        [](const Damaged& change) { return "skipped: " + change.reason; }),
 };
 
 constexpr bool has_each_kind_in_order() {
@@ -46,18 +142,36 @@ constexpr bool has_each_kind_in_order() {
 }
 static_assert(has_each_kind_in_order());
 
-const EditKindFacts& facts_of(EditKind kind) {
-  return kEditKinds[static_cast<size_t>(kind)];
+/// One fact of each kind. A program that asks for one of them alone, as the page's core does, has
+/// no other column.
+template <auto kFact>
+constexpr auto kColumn = [] {
+  std::array<std::remove_cvref_t<decltype(kEditKinds[0].*kFact)>, kEditKinds.size()> column{};
+  for (size_t i = 0; i < column.size(); ++i) column[i] = kEditKinds[i].*kFact;
+  return column;
+}();
+
+template <auto kFact>
+auto fact_of(EditKind kind) {
+  return kColumn<kFact>[static_cast<size_t>(kind)];
 }
 
 }  // namespace
 
 bool makes_fields(EditKind kind) {
-  return facts_of(kind).makes_fields;
+  return fact_of<&EditKindFacts::makes_fields>(kind);
 }
 
 const char* edit_kind_name(EditKind kind) {
-  return facts_of(kind).name;
+  return fact_of<&EditKindFacts::name>(kind);
+}
+
+Status validate(const Edit& edit) {
+  return fact_of<&EditKindFacts::check>(kind_of(edit))(edit.change);
+}
+
+std::string summary(const Edit& edit) {
+  return fact_of<&EditKindFacts::summary>(kind_of(edit))(edit.change);
 }
 
 }  // namespace burnish
