@@ -1,7 +1,9 @@
 // What the client says in a live session.
 
+#include <type_traits>
+
 #include "common/base/limits.h"
-#include "common/wire/bands_wire.h"
+#include "common/wire/change_writer.h"
 #include "common/wire/edit_wire.h"
 #include "common/wire/history_wire.h"
 #include "common/wire/live_wire.h"
@@ -31,18 +33,7 @@ struct ClientWriter {
   void operator()(const Preview& preview) const {
     v1::Preview& sent = *message.mutable_preview();
     sent.set_edit_id(preview.edit_id);
-    if (const auto* slider = std::get_if<SetGradientScale>(&preview.change))
-      sent.mutable_gradient_scale()->set_beta(slider->beta);
-    if (const auto* curve = std::get_if<SetTransferCurve>(&preview.change))
-      *sent.mutable_transfer_curve() = burnish::to_wire(curve->curve);
-    if (const auto* stroke = std::get_if<Stroke>(&preview.change))
-      *sent.mutable_stroke() = burnish::to_wire(*stroke);
-    if (const auto* bands = std::get_if<SetEqualiser>(&preview.change))
-      *sent.mutable_equaliser() = burnish::to_wire(bands->equaliser);
-    if (const auto* palette = std::get_if<SetPalette>(&preview.change))
-      *sent.mutable_palette() = burnish::to_wire(palette->palette);
-    if (const auto* colour = std::get_if<SetColour>(&preview.change))
-      *sent.mutable_colour() = burnish::to_wire(colour->filter);
+    std::visit(ChangeWriter<v1::Preview>{sent}, preview.change);
   }
   void operator()(const DropPreview& drop) const {
     message.mutable_preview()->set_edit_id(drop.edit_id);
@@ -89,12 +80,11 @@ Result<Preview> read_preview(const v1::Preview& message) {
   if (message.has_colour()) *whole.mutable_colour() = message.colour();
   ASSIGN_OR_RETURN(Edit edit, from_wire(whole));
   Preview preview{std::move(edit.id), {}};
-  if (auto* slider = std::get_if<SetGradientScale>(&edit.change)) preview.change = *slider;
-  if (auto* curve = std::get_if<SetTransferCurve>(&edit.change)) preview.change = std::move(*curve);
-  if (auto* stroke = std::get_if<Stroke>(&edit.change)) preview.change = std::move(*stroke);
-  if (auto* bands = std::get_if<SetEqualiser>(&edit.change)) preview.change = std::move(*bands);
-  if (auto* palette = std::get_if<SetPalette>(&edit.change)) preview.change = std::move(*palette);
-  if (auto* colour = std::get_if<SetColour>(&edit.change)) preview.change = *colour;
+  const auto take = [&](auto& change) {
+    if constexpr (std::is_constructible_v<PreviewChange, decltype(change)>)
+      preview.change = std::move(change);
+  };
+  std::visit(take, edit.change);
   return preview;
 }
 

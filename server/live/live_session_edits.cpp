@@ -23,19 +23,6 @@ std::vector<std::string> ids_of(const std::vector<Edit>& edits) {
   return ids;
 }
 
-Status check_piece(const Preview& piece) {
-  if (const auto* slider = std::get_if<SetGradientScale>(&piece.change))
-    return check_beta(slider->beta);
-  if (const auto* stroke = std::get_if<Stroke>(&piece.change)) return validate(*stroke);
-  if (const auto* bands = std::get_if<SetEqualiser>(&piece.change))
-    return check_equaliser(bands->equaliser);
-  if (const auto* palette = std::get_if<SetPalette>(&piece.change))
-    return check_palette(palette->palette);
-  if (const auto* colour = std::get_if<SetColour>(&piece.change))
-    return check_colour_filter(colour->filter);
-  return Status::ok();  // curves need no check
-}
-
 }  // namespace
 
 void LiveSession::edit(uint64_t connection, std::vector<Edit> edits, size_t bytes) {
@@ -113,7 +100,8 @@ Status LiveSession::preview(uint64_t connection, Preview piece) {
         return invalid_argument("the brush of a preview differs from the brush at its beginning");
       stroke->path.insert(stroke->path.begin(), begun.path.begin(), begun.path.end());
     }
-    RETURN_IF_ERROR(check_piece(piece).with_context("preview"));
+    const auto check = [](const auto& change) { return validate(Edit{{}, change}); };
+    RETURN_IF_ERROR(std::visit(check, piece.change).with_context("preview"));
     gestures_[connection] = {caller.user, std::move(piece.edit_id), std::move(piece.change)};
     changed_gestures_.insert(connection);
   }
