@@ -36,8 +36,8 @@ Result<EditedSession> look_at(const EditOptions& options, Connection& connection
   EditedSession there;
   if (!options.controls.is_given() && !options.filter.needs_scan()) return there;
   ASSIGN_OR_RETURN(const SessionState state, connection.state(options.session));
-  there.controls = state.controls;
-  there.equaliser = state.equaliser;
+  there.controls = state.settings.controls;
+  there.equaliser = state.settings.equaliser;
   if (!options.filter.needs_scan()) return there;
   const SessionInfo& session = state.session;
   ASSIGN_OR_RETURN(const ScanDescription scan,

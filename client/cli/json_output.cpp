@@ -93,16 +93,16 @@ static Json to_json(const Palette& palette) {
 
 Json to_json(const SessionState& state) {
   Json json = to_json(state.session);
-  json["beta"] = state.gradient_scale;
-  json["curve"] = state.transfer_curve.to_string();
-  json["controls"] = {{"pin_rims", state.controls.pin_rims},
-                      {"cap", state.controls.cap},
-                      {"keep_volume", state.controls.keep_volume}};
+  json["beta"] = state.settings.beta;
+  json["curve"] = state.settings.curve.to_string();
+  json["controls"] = {{"pin_rims", state.settings.controls.pin_rims},
+                      {"cap", state.settings.controls.cap},
+                      {"keep_volume", state.settings.controls.keep_volume}};
   json["rims"] = {{"number", state.rims}, {"held", state.rims_held}};
   json["walls"] = to_json(state.walls);
-  json["bands"] = to_json(state.equaliser);
-  json["palette"] = to_json(state.palette);
-  json["colours"] = {{"beta", state.colour.beta}, {"alpha", state.colour.alpha}};
+  json["bands"] = to_json(state.settings.equaliser);
+  json["palette"] = to_json(state.settings.palette);
+  json["colours"] = {{"beta", state.settings.colour.beta}, {"alpha", state.settings.colour.alpha}};
   json["memory_bytes"] = state.memory_bytes;
   json["backend"] = state.backend;
   if (state.cycles > 0) {

@@ -28,17 +28,11 @@ Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorde
       log_(log),
       recorder_(recorder),
       wake_(options.wake),
-      beta_(opened_.state.gradient_scale),
-      curve_(kappa_range(opened_.scan), opened_.state.transfer_curve, alpha_max(opened_.scan)),
-      controls_(opened_.state.controls),
-      equaliser_(opened_.state.equaliser),
-      palette_(opened_.state.palette),
-      colour_filter_(opened_.state.colour),
+      settings_(opened_.state.settings),
+      curve_(kappa_range(opened_.scan), settings_.curve, alpha_max(opened_.scan)),
       history_(std::move(opened_.history)),
       edits_known_(opened_.session.edits),
-      told_{edits_known_,           opened_.state.gradient_scale, opened_.state.transfer_curve,
-            opened_.state.controls, opened_.state.equaliser,      opened_.state.palette,
-            opened_.state.colour},
+      told_{edits_known_, settings_},
       measuring_(opened_.connection, opened_.session.id, tasks, log, options.wake) {
   take_rims(opened_.state);
   if (has_colours()) colour_ = ColourBy::kScan;
@@ -69,6 +63,7 @@ void Document::send(Change change) {
 
 void Document::send_as(const std::string& id, Change change) {
   const Edit edit{id, std::move(change)};
+  settings_.take(edit.change);
   recorder_.record(edit);
   const Status sent = live_->apply({edit});
   unacknowledged_ += sent.is_ok();
@@ -87,6 +82,7 @@ void Document::count_step(const Change& change) {
 /// Shows a value that a drag passes.
 void Document::preview(PreviewChange change) {
   if (gesture_.empty()) gesture_ = random_id();
+  settings_.take(change);
   live_->preview(gesture_, std::move(change));
 }
 
@@ -97,12 +93,11 @@ void Document::commit(Change change) {
 }
 
 void Document::preview_beta(double beta) {
-  beta_ = beta;
   preview(SetGradientScale{beta});
 }
 
 void Document::commit_beta() {
-  commit(SetGradientScale{beta_});
+  commit(SetGradientScale{beta()});
 }
 
 void Document::preview_curve() {
@@ -114,37 +109,30 @@ void Document::commit_curve() {
 }
 
 void Document::preview_equaliser(Equaliser equaliser) {
-  equaliser_ = std::move(equaliser);
-  preview(SetEqualiser{equaliser_});
+  preview(SetEqualiser{std::move(equaliser)});
 }
 
 void Document::set_equaliser(Equaliser equaliser) {
-  equaliser_ = std::move(equaliser);
-  commit(SetEqualiser{equaliser_});
+  commit(SetEqualiser{std::move(equaliser)});
 }
 
 void Document::preview_palette(Palette palette) {
-  palette_ = std::move(palette);
-  preview(SetPalette{palette_});
+  preview(SetPalette{std::move(palette)});
 }
 
 void Document::set_palette(Palette palette) {
-  palette_ = std::move(palette);
-  commit(SetPalette{palette_});
+  commit(SetPalette{std::move(palette)});
 }
 
 void Document::preview_colour(const ColourFilter& filter) {
-  colour_filter_ = filter;
-  preview(SetColour{colour_filter_});
+  preview(SetColour{filter});
 }
 
 void Document::set_colour_filter(const ColourFilter& filter) {
-  colour_filter_ = filter;
-  commit(SetColour{colour_filter_});
+  commit(SetColour{filter});
 }
 
 void Document::set_controls(const Controls& controls) {
-  controls_ = controls;
   send(SetControls{controls});
 }
 

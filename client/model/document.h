@@ -90,7 +90,7 @@ class Document {
   Status look(const Camera& camera, const ImageSize& size);
 
   // During a drag, preview the gradient scale and the curve; at its end, commit.
-  double beta() const { return beta_; }
+  double beta() const { return settings_.beta; }
   void preview_beta(double beta);
   void commit_beta();
   CurveEditor& curve() { return curve_; }
@@ -106,32 +106,32 @@ class Document {
   /// one of these or of presets() at full strength.
   std::optional<PresetInForce> preset_in_force(const std::vector<Preset>& own) const;
   /// Returns what the filter is now, for a preset of the user's own.
-  PresetFilter filter() const { return {beta_, curve_.curve(), equaliser_}; }
+  PresetFilter filter() const { return {beta(), curve_.curve(), equaliser()}; }
   ScanLengths lengths() const { return {length_unit(), cell_size()}; }
 
   /// The bands and the palette, as the user or the session set them last. During a drag preview
   /// them; at its end, set them.
-  const Equaliser& equaliser() const { return equaliser_; }
+  const Equaliser& equaliser() const { return settings_.equaliser; }
   void preview_equaliser(Equaliser equaliser);
   void set_equaliser(Equaliser equaliser);
-  const Palette& palette() const { return palette_; }
+  const Palette& palette() const { return settings_.palette; }
   void preview_palette(Palette palette);
   void set_palette(Palette palette);
 
   /// How the scan's colours are filtered, likewise. Needs: has_colours().
-  const ColourFilter& colour_filter() const { return colour_filter_; }
+  const ColourFilter& colour_filter() const { return settings_.colour; }
   void preview_colour(const ColourFilter& filter);
   void set_colour_filter(const ColourFilter& filter);
 
   /// Bounds on what all edits do: as the user or the session set them last.
-  const Controls& controls() const { return controls_; }
+  const Controls& controls() const { return settings_.controls; }
   void set_controls(const Controls& controls);
   /// Returns how many rims stay; nothing while the controls let them move, or before it is told.
-  std::optional<RimCount> rims() const { return controls_.pin_rims ? rims_ : std::nullopt; }
+  std::optional<RimCount> rims() const { return controls().pin_rims ? rims_ : std::nullopt; }
   /// Changes the region in which nothing moves.
   void protect(Protect change) { send(std::move(change)); }
   /// Shows values that a drag passes; set_controls() ends it.
-  void show_controls(const Controls& controls) { controls_ = controls; }
+  void show_controls(const Controls& controls) { settings_.controls = controls; }
   bool is_closed() const { return opened_.scan.scan.statistics.is_closed(); }
 
   // Draw a stroke from point to point of the original surface.
@@ -239,14 +239,10 @@ class Document {
   Recorder& recorder_;
   std::function<void()> wake_;
 
-  double beta_;
+  Settings settings_;  // as the user or the session set them last
   CurveEditor curve_;
   std::optional<Preset> last_preset_;
-  Controls controls_;
   std::optional<RimCount> rims_;  // absent until a state with pinned rims has come
-  Equaliser equaliser_;
-  Palette palette_;
-  ColourFilter colour_filter_;
   BrushTool brush_;
   Vec3d last_dab_ = Vec3d::Zero();
   std::string gesture_;  // id of the edit of the running drag or stroke; else empty

@@ -122,17 +122,13 @@ void Document::follow_server() {
   const bool is_mine_newer = !gesture_.empty() || unacknowledged_ > 0;
   if (is_told_taken_ || is_mine_newer || told_.edits < edits_known_) return;
   is_told_taken_ = true;
-  beta_ = told_.gradient_scale;
-  controls_ = told_.controls;
-  equaliser_ = told_.equaliser;
-  palette_ = told_.palette;
-  colour_filter_ = told_.colour;
-  if (!(curve_.curve() == told_.transfer_curve)) curve_.set_curve(told_.transfer_curve);
+  settings_ = told_.settings;
+  if (!(curve_.curve() == settings_.curve)) curve_.set_curve(settings_.curve);
 }
 
 // Keeps the counts: they are those of the scan at this depth.
 void Document::take_rims(const SessionState& state) {
-  if (state.controls.pin_rims) rims_ = RimCount{state.rims, state.rims_held};
+  if (state.settings.controls.pin_rims) rims_ = RimCount{state.rims, state.rims_held};
 }
 
 void Document::refresh_history() {
@@ -141,7 +137,7 @@ void Document::refresh_history() {
     return;
   }
   history_fetch_->running = true;
-  const bool asks_rims = !rims_ && told_.controls.pin_rims;
+  const bool asks_rims = !rims_ && told_.settings.controls.pin_rims;
   tasks_.start([this, alive = std::weak_ptr(alive_), connection = opened_.connection,
                 session = opened_.session.id, asks_rims,
                 wake = wake_](StopToken) -> Tasks::Completion {

@@ -19,7 +19,7 @@ Document::Over Document::over_now() const {
   };
   const bool is_wanted = over_wish_.protection || brush_.is_drawing();
   return {is_wanted && std::ranges::any_of(history_, is_protecting),
-          over_wish_.curves && !palette_.curves.empty()};
+          over_wish_.curves && !palette().curves.empty()};
 }
 
 // The old stays until the new is here.
@@ -81,8 +81,8 @@ void Document::take_over(const Over& over, const Result<std::vector<PageValues>>
     for (size_t v = 0; v < overlays.size(); ++v) {
       const long curve = over.curves ? std::lround((*ruled)[p].at(v)) : 0;
       std::optional<uint32_t> colour;
-      if (curve > 0 && static_cast<size_t>(curve) <= palette_.curves.size())
-        colour = palette_.curves[static_cast<size_t>(curve) - 1].colour;
+      if (curve > 0 && static_cast<size_t>(curve) <= palette().curves.size())
+        colour = palette().curves[static_cast<size_t>(curve) - 1].colour;
       overlays[v] = packed_overlay(colour, over.protection && (*held)[p].at(v) > 0.5f);
     }
     surface_->marks().set_overlays(page, std::move(overlays));

@@ -7,10 +7,10 @@ namespace burnish {
 void Document::apply(const Preset& preset, double strength) {
   PresetFilter applied = filter_of(preset, strength, lengths());
   last_preset_ = preset;
-  beta_ = applied.beta;
+  settings_.beta = applied.beta;
   curve_.set_curve(applied.curve);
   if (preset.brush_beta) brush_.brush.beta = *preset.brush_beta;
-  const bool has_bands = !applied.equaliser.bands.empty() || !equaliser_.bands.empty();
+  const bool has_bands = !applied.equaliser.bands.empty() || !equaliser().bands.empty();
   // The first edit ends a drag, so it is of the value that the drag moved.
   if (has_bands) set_equaliser(std::move(applied.equaliser));
   commit_curve();
@@ -27,7 +27,7 @@ void Document::preview_strength(const Preset& preset, double strength) {
 
 void Document::commit_strength(const Preset& preset) {
   if (preset.bands.empty()) return commit_beta();
-  set_equaliser(equaliser_);
+  set_equaliser(equaliser());
 }
 
 std::optional<PresetInForce> Document::preset_in_force(const std::vector<Preset>& own) const {

@@ -98,12 +98,12 @@ std::string method(const ProcessingRecord& record) {
       .add("Equation", "screened Poisson equation, Chuang and Kazhdan 2011")
       .add("Grid", "depth " + std::to_string(record.state.session.key.depth) + ", cells of " +
                        length_text(record.prepared.cell_size, scan.unit))
-      .add("Gradient scale β", number(record.state.gradient_scale))
-      .add("Transfer curve α(κ)", record.state.transfer_curve.to_string())
-      .add("Controls", text_of(record.state.controls))
-      .add("Equaliser", text_of(record.state.equaliser))
-      .add("Palette", text_of(record.state.palette))
-      .add("Colours", text_of(record.state.colour))
+      .add("Gradient scale β", number(record.state.settings.beta))
+      .add("Transfer curve α(κ)", record.state.settings.curve.to_string())
+      .add("Controls", text_of(record.state.settings.controls))
+      .add("Equaliser", text_of(record.state.settings.equaliser))
+      .add("Palette", text_of(record.state.settings.palette))
+      .add("Colours", text_of(record.state.settings.colour))
       .add("Accuracy", number(record.result.distance) + " of the diagonal" +
                            (record.result.converged ? "" : ", not converged"))
       .end();

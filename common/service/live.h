@@ -6,7 +6,6 @@
 #include <variant>
 #include <vector>
 
-#include "common/base/limits.h"
 #include "common/base/server_place.h"
 #include "common/base/status.h"
 #include "common/edit/edit.h"
@@ -132,12 +131,7 @@ struct EditsRefused {
 /// The values that the session's history comes to. SessionPeople says who is there.
 struct HistoryState {
   uint64_t edits = 0;  ///< of the session
-  double gradient_scale = kBetaDefault;
-  TransferCurve transfer_curve{kAlphaDefault};
-  Controls controls;
-  Equaliser equaliser;
-  Palette palette;
-  ColourFilter colour;
+  Settings settings;
   bool operator==(const HistoryState&) const = default;
 };
 

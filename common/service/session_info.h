@@ -5,12 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "common/base/limits.h"
-#include "common/edit/colour_filter.h"
-#include "common/edit/controls.h"
-#include "common/edit/equaliser.h"
-#include "common/edit/palette.h"
-#include "common/edit/transfer_curve.h"
+#include "common/edit/settings.h"
 #include "common/measure/deviation.h"
 #include "common/mesh/mesh_io.h"
 #include "common/mesh/thin_walls.h"
@@ -51,18 +46,13 @@ struct ApplyOutcome {
 
 struct SessionState {
   SessionInfo session;
-  double gradient_scale = kBetaDefault;
-  TransferCurve transfer_curve{kAlphaDefault};
+  Settings settings;
   int cycles = 0;  ///< since the session came into memory; 0: the three figures mean nothing
   double energy = 0;
   double residual = 0;
   double distance = 0;  ///< estimated, over the bounding-box diagonal
   uint64_t memory_bytes = 0;
   std::string backend;
-  Controls controls;
-  Equaliser equaliser;
-  Palette palette;
-  ColourFilter colour;
   uint64_t rims = 0;       ///< of the scan, while the controls pin them
   uint64_t rims_held = 0;  ///< of these
   ThinWalls walls;         ///< of the scan at this depth

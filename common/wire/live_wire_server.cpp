@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <iterator>
 
-#include "common/wire/bands_wire.h"
-#include "common/wire/edit_wire.h"
 #include "common/wire/history_wire.h"
 #include "common/wire/live_wire.h"
 #include "common/wire/session_wire.h"
+#include "common/wire/settings_wire.h"
 #include "common/wire/status_wire.h"
 
 namespace burnish {
@@ -96,12 +95,7 @@ struct ServerWriter {
   void operator()(const HistoryState& history) const {
     v1::HistoryChanged& sent = *message.mutable_history();
     sent.set_edits(history.edits);
-    sent.set_gradient_scale(history.gradient_scale);
-    *sent.mutable_transfer_curve() = burnish::to_wire(history.transfer_curve);
-    *sent.mutable_controls() = burnish::to_wire(history.controls);
-    *sent.mutable_equaliser() = burnish::to_wire(history.equaliser);
-    *sent.mutable_palette() = burnish::to_wire(history.palette);
-    *sent.mutable_colour() = burnish::to_wire(history.colour);
+    write_settings(history.settings, sent);
   }
   void operator()(const SessionPeople& people) const {
     *message.mutable_people() = burnish::to_wire(people);
@@ -144,15 +138,8 @@ EditsRefused read_refused(const v1::Refused& message) {
 }
 
 Result<HistoryState> read_history(const v1::HistoryChanged& message) {
-  ASSIGN_OR_RETURN(TransferCurve curve, from_wire(message.transfer_curve()));
-  ASSIGN_OR_RETURN(Palette palette, from_wire(message.palette()));
-  return HistoryState{message.edits(),
-                      message.gradient_scale(),
-                      std::move(curve),
-                      from_wire(message.controls()),
-                      from_wire(message.equaliser()),
-                      std::move(palette),
-                      from_wire(message.colour(), message.has_colour())};
+  ASSIGN_OR_RETURN(Settings settings, read_settings(message));
+  return HistoryState{message.edits(), std::move(settings)};
 }
 
 Farewell read_farewell(const v1::GoAway& message) {

@@ -1,10 +1,9 @@
 #include "common/wire/session_wire.h"
 
 #include "common/base/text.h"
-#include "common/wire/bands_wire.h"
-#include "common/wire/edit_wire.h"
 #include "common/wire/format_wire.h"
 #include "common/wire/measures_wire.h"
+#include "common/wire/settings_wire.h"
 
 namespace burnish {
 
@@ -56,12 +55,7 @@ Result<SessionInfo> from_wire(const v1::SessionInfo& message) {
 v1::SessionState to_wire(const SessionState& state) {
   v1::SessionState message;
   *message.mutable_session() = to_wire(state.session);
-  message.set_gradient_scale(state.gradient_scale);
-  *message.mutable_transfer_curve() = to_wire(state.transfer_curve);
-  *message.mutable_controls() = to_wire(state.controls);
-  *message.mutable_equaliser() = to_wire(state.equaliser);
-  *message.mutable_palette() = to_wire(state.palette);
-  *message.mutable_colour() = to_wire(state.colour);
+  write_settings(state.settings, message);
   message.set_cycles(state.cycles);
   message.set_energy(state.energy);
   message.set_residual(state.residual);
@@ -77,12 +71,7 @@ v1::SessionState to_wire(const SessionState& state) {
 Result<SessionState> from_wire(const v1::SessionState& message) {
   SessionState state;
   ASSIGN_OR_RETURN(state.session, from_wire(message.session()));
-  state.gradient_scale = message.gradient_scale();
-  ASSIGN_OR_RETURN(state.transfer_curve, from_wire(message.transfer_curve()));
-  state.controls = from_wire(message.controls());
-  state.equaliser = from_wire(message.equaliser());
-  ASSIGN_OR_RETURN(state.palette, from_wire(message.palette()));
-  state.colour = from_wire(message.colour(), message.has_colour());
+  ASSIGN_OR_RETURN(state.settings, read_settings(message));
   state.cycles = message.cycles();
   state.energy = message.energy();
   state.residual = message.residual();

@@ -20,18 +20,24 @@ Fields::Fields(const PreparedMesh& prepared)
   paint_[kBetaLayer].emplace(prepared.cells.size());
 }
 
+void Fields::set(const Settings& settings) {
+  if (settings.curve != settings_.curve || settings.palette != settings_.palette) make_blends_old();
+  beta_is_old_ |= settings.beta != settings_.beta;
+  settings_ = settings;
+}
+
 void Fields::set_transfer_curve(const TransferCurve& curve) {
-  curve_ = curve;
+  settings_.curve = curve;
   make_blends_old();
 }
 
 void Fields::set_palette(const Palette& palette) {
-  palette_ = palette;
+  settings_.palette = palette;
   make_blends_old();
 }
 
 void Fields::set_gradient_scale(double beta) {
-  beta_slider_ = beta;
+  settings_.beta = beta;
   beta_is_old_ = true;
 }
 
@@ -66,9 +72,9 @@ FieldsView Fields::view() const {
   const bool is_blended = hold_ || has_painted_curves();
   if (is_blended && alphas_are_old_) update_blended_own();
   const std::vector<OwnFields>& own = is_blended ? blended_own_ : overrides_;
-  return {{&curve_, own, rims_ ? rims_->view() : LineView{}},
+  return {{&settings_.curve, own, rims_ ? rims_->view() : LineView{}},
           beta_,
-          beta_slider_,
+          settings_.beta,
           {follow_, own_, may_have_paint_}};
 }
 
@@ -81,7 +87,7 @@ CellAlphas Fields::alphas() const {
 std::vector<float> Fields::edited() const {
   const std::span<const float> beta = view().beta;
   std::vector<float> edited(beta.size());
-  const size_t bands = equaliser_.bands.size();
+  const size_t bands = equaliser().bands.size();
 #pragma omp parallel for schedule(static)
   for (size_t c = 0; c < edited.size(); ++c) {
     float gains = 0;
@@ -89,7 +95,7 @@ std::vector<float> Fields::edited() const {
       const PaintLayer* paint = gain_paint(band);
       const float weight = paint ? paint->weight[c] : 0, painted = paint ? paint->value[c] : 0;
       const float gain =
-          (1 - weight) * static_cast<float>(equaliser_.gain(band)) + weight * painted;
+          (1 - weight) * static_cast<float>(equaliser().gain(band)) + weight * painted;
       gains = std::max(gains, std::abs(gain - 1));
     }
     if (hold_) gains *= 1 - hold_->weight[c];
@@ -124,11 +130,11 @@ void Fields::update_beta(size_t stretch) const {
   const size_t begin = stretch * kStretch, end = std::min(begin + kStretch, beta_.size());
   if (!may_have_paint_[stretch])
     return std::fill(&beta_[begin], &beta_[begin] + (end - begin),
-                     static_cast<float>(beta_slider_));
+                     static_cast<float>(settings_.beta));
   const PaintLayer& paint = *paint_[kBetaLayer];
   for (size_t c = begin; c < end; ++c) {
     const double weight = paint.weight[c], painted = paint.value[c];
-    beta_[c] = static_cast<float>((1 - weight) * beta_slider_ + weight * painted);
+    beta_[c] = static_cast<float>((1 - weight) * settings_.beta + weight * painted);
     follow_[c] = static_cast<float>(1 - weight);
     own_[c] = static_cast<float>(weight * (painted - 1));
   }

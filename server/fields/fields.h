@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "common/edit/edit.h"
+#include "common/edit/settings.h"
 #include "server/fields/alphas.h"
 #include "server/fields/connected_dabs.h"
 #include "server/fields/fields_view.h"
@@ -29,12 +29,12 @@ class Fields {
   /// Begins with the defaults everywhere: α = 50, β = 1.
   explicit Fields(const PreparedMesh& prepared);
 
+  /// A painted curve that the palette lacks rules nothing.
+  void set(const Settings& settings);
+  const Settings& settings() const { return settings_; }
   void set_transfer_curve(const TransferCurve& curve);
   void set_gradient_scale(double beta);
-  /// Sets the curves that brushes paint. A painted curve that the palette lacks rules nothing.
   void set_palette(const Palette& palette);
-  void set_equaliser(const Equaliser& equaliser) { equaliser_ = equaliser; }
-  void set_colour(const ColourFilter& filter) { colour_ = filter; }
   void paint(const Stroke& stroke) { paint(stroke.brush, dab_centres(stroke)); }
   /// Paints some dabs of a stroke. Shapes: at least one centre, file units.
   void paint(const Brush& brush, std::span<const Vec3d> centres);
@@ -74,15 +74,15 @@ class Fields {
 
   FieldsView view() const;
   CellAlphas alphas() const;  ///< computed from view().metric
-  const TransferCurve& transfer_curve() const { return curve_; }
-  const Palette& palette() const { return palette_; }
+  const TransferCurve& transfer_curve() const { return settings_.curve; }
+  const Palette& palette() const { return settings_.palette; }
   bool has_painted_curves() const;
   /// Returns the number of the palette's curve that rules most of a cell, 0 for the own curve.
   int ruling_curve(size_t cell) const;
-  const Equaliser& equaliser() const { return equaliser_; }
+  const Equaliser& equaliser() const { return settings_.equaliser; }
   /// Returns the paint of a band's gain, null without. Shapes: `band` from 1.
   const PaintLayer* gain_paint(size_t band) const { return layer(kFirstBandLayer + band - 1); }
-  const ColourFilter& colour() const { return colour_; }
+  const ColourFilter& colour() const { return settings_.colour; }
   /// Returns the paint of the colours' β, null without.
   const PaintLayer* colour_paint() const { return layer(kColourLayer); }
   /// Sets where colours are kept: in the protected region, not at rims. Null: nowhere.
@@ -95,7 +95,7 @@ class Fields {
     uint64_t beta = 0, gains = 0, curves = 0, colour = 0;
   };
   const PaintVersions& paint_versions() const { return versions_; }
-  double gradient_scale() const { return beta_slider_; }
+  double gradient_scale() const { return settings_.beta; }
   uint64_t byte_count() const;
 
  private:
@@ -121,11 +121,7 @@ class Fields {
   Result<int32_t> index_of(const Vec3i& cell) const;
 
   const PreparedMesh& prepared_;  // must outlive the fields
-  TransferCurve curve_{kAlphaDefault};
-  Palette palette_;
-  Equaliser equaliser_;
-  ColourFilter colour_;
-  double beta_slider_ = kBetaDefault;
+  Settings settings_;
   std::array<std::optional<PaintLayer>, kPaintLayers> paint_;  // that of β is always there
   PaintVersions versions_;
   // Per kStretch cells, so that painted() need not look at all of them: it is called after many

@@ -12,11 +12,11 @@ namespace burnish {
 /// Curves of the palette that rule a part of a cell. The session's own curve has the rest.
 class Fields::CurveBlend {
  public:
-  CurveBlend(const Fields& fields, size_t cell) : base_(fields.curve_) {
-    for (size_t i = 0; i < fields.palette_.curves.size(); ++i) {
+  CurveBlend(const Fields& fields, size_t cell) : base_(fields.transfer_curve()) {
+    for (size_t i = 0; i < fields.palette().curves.size(); ++i) {
       const auto& layer = fields.paint_[kFirstCurveLayer + i];
       if (!layer || layer->weight[cell] == 0) continue;
-      parts_[count_++] = {&fields.palette_.curves[i].curve, layer->weight[cell]};
+      parts_[count_++] = {&fields.palette().curves[i].curve, layer->weight[cell]};
       rest_ -= layer->weight[cell];
     }
   }

@@ -155,7 +155,7 @@ void Fields::set_painted(const PaintedCells& painted) {
 int Fields::ruling_curve(size_t cell) const {
   int ruling = 0;
   float own = 1, most = 0;
-  for (size_t i = 0; i < palette_.curves.size(); ++i) {
+  for (size_t i = 0; i < palette().curves.size(); ++i) {
     const auto& layer = paint_[kFirstCurveLayer + i];
     if (!layer) continue;
     const float weight = layer->weight[cell];

@@ -128,14 +128,7 @@ Status LiveSession::relax(SessionTurn& at) {
 }
 
 void LiveSession::tell_state(SessionTurn& at) {
-  const Fields& fields = at.session().fields();
-  const HistoryState history{at.edits(),
-                             fields.gradient_scale(),
-                             fields.transfer_curve(),
-                             at.session().edited().controls(),
-                             fields.equaliser(),
-                             fields.palette(),
-                             fields.colour()};
+  const HistoryState history{at.edits(), at.session().fields().settings()};
   bool roles_changed = false, history_changed = false;
   {
     const std::lock_guard lock(mutex_);

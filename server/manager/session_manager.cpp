@@ -175,23 +175,17 @@ Result<SessionState> SessionManager::state(const std::string& reference, const C
   ASSIGN_OR_RETURN(const Held held, use(reference, caller, progress));
   RETURN_IF_ERROR(catch_up(*held.entry, progress));
   const SessionEntry& entry = *held.entry;
-  const Fields& fields = entry.session->fields();
   const Solver& solver = entry.session->solver();
   const auto rims = entry.session->edited().pinned_rims();
   const uint64_t memory_bytes = entry.session->byte_count() + client_bytes(entry);
   return SessionState{entry.info(),
-                      fields.gradient_scale(),
-                      fields.transfer_curve(),
+                      entry.session->fields().settings(),
                       entry.last.cycle,
                       entry.last.energy,
                       entry.last.residual,
                       entry.last.distance,
                       memory_bytes,
                       std::string(solver.backend_name()),
-                      entry.session->edited().controls(),
-                      fields.equaliser(),
-                      fields.palette(),
-                      fields.colour(),
                       rims ? rims->rims : 0,
                       rims ? rims->held : 0,
                       entry.session->prepared().walls};

@@ -1,6 +1,7 @@
 #include "server/session/edited_fields.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -10,9 +11,9 @@ EditedFields::EditedFields(const PreparedMesh& prepared, const Controls& born_wi
     : prepared_(prepared),
       fields_(prepared),
       born_with_(born_with),
-      controls_(born_with),
       protection_(prepared),
       strokes_done_{begin_series(prepared)} {
+  fields_.set({.controls = born_with});
   hold_rims();
 }
 
@@ -64,8 +65,7 @@ Status EditedFields::check(const Edit& edit) const {
 }
 
 LayerCheck EditedFields::layers() const {
-  Counting now = counting();
-  return {now.equaliser, std::move(now.palette), std::move(now.curve.curve)};
+  return LayerCheck(counting().settings);
 }
 
 static bool needs_colours(const Edit& edit) {
@@ -112,29 +112,21 @@ Status EditedFields::check_new(const Stroke& stroke) const {
 
 EditedFields::Counting EditedFields::counting() const {
   Counting counting;
-  counting.controls = born_with_;
-  const SetTransferCurve* curve = nullptr;
-  const SetPalette* palette = nullptr;
+  counting.settings.controls = born_with_;
+  std::array<const Change*, std::variant_size_v<Change>> last{};  // of each kind
   for (const History::Entry& entry : history_.entries()) {
     if (!entry.enabled) continue;
-    const auto& change = entry.made_by->edit.change;
+    const Change& change = entry.made_by->edit.change;
+    last[change.index()] = &change;
     if (std::holds_alternative<Stroke>(change)) {
       counting.strokes.push_back(&entry);
       counting.protects_before.push_back(counting.protects.size());
     }
     if (std::holds_alternative<SetCellFields>(change)) counting.cells.push_back(&entry);
-    if (const auto* slider = std::get_if<SetGradientScale>(&change)) counting.slider = *slider;
-    if (const auto* found = std::get_if<SetTransferCurve>(&change)) curve = found;
     if (std::holds_alternative<Protect>(change)) counting.protects.push_back(&entry);
-    if (const auto* bounds = std::get_if<SetControls>(&change))
-      counting.controls = bounds->controls;
-    if (const auto* bands = std::get_if<SetEqualiser>(&change))
-      counting.equaliser = bands->equaliser;
-    if (const auto* found = std::get_if<SetPalette>(&change)) palette = found;
-    if (const auto* found = std::get_if<SetColour>(&change)) counting.colour = found->filter;
   }
-  if (curve) counting.curve = *curve;
-  if (palette) counting.palette = palette->palette;
+  for (const Change* change : last)
+    if (change) counting.settings.take(*change);
   return counting;
 }
 
@@ -143,41 +135,22 @@ Status EditedFields::catch_up(const Progress& progress) {
   const Counting wanted = counting();
   RETURN_IF_ERROR(replay_strokes(wanted, progress));
   replay_cells(wanted);
-  if (wanted.slider.beta != fields_.gradient_scale()) {
-    fields_.set_gradient_scale(wanted.slider.beta);
-    changes_.beta = true;
-  }
-  if (wanted.curve.curve != fields_.transfer_curve()) {
-    fields_.set_transfer_curve(wanted.curve.curve);
-    changes_.metric = true;
-  }
-  take_layers(wanted);
+  set(wanted.settings);
   if (replay_protects(wanted)) hold_region();
-  bound(wanted.controls);
+  hold_rims();
   is_behind_ = false;
   return Status::ok();
 }
 
-void EditedFields::take_layers(const Counting& wanted) {
-  if (wanted.palette != fields_.palette()) {
-    fields_.set_palette(wanted.palette);
-    changes_.metric |= fields_.has_painted_curves();
-    changes_.shown = true;
-  }
-  if (wanted.equaliser != fields_.equaliser()) {
-    fields_.set_equaliser(wanted.equaliser);
-    changes_.shown = true;
-  }
-  if (wanted.colour != fields_.colour()) {
-    fields_.set_colour(wanted.colour);
-    changes_.shown = true;
-  }
-}
-
-void EditedFields::bound(const Controls& controls) {
-  changes_.shown |= controls != controls_;
-  controls_ = controls;
-  hold_rims();
+void EditedFields::set(const Settings& settings) {
+  const Settings& before = fields_.settings();
+  const bool palette = settings.palette != before.palette;
+  changes_ |=
+      {.metric = settings.curve != before.curve || (palette && fields_.has_painted_curves()),
+       .beta = settings.beta != before.beta,
+       .shown = palette || settings.equaliser != before.equaliser ||
+                settings.colour != before.colour || settings.controls != before.controls};
+  fields_.set(settings);
 }
 
 /// Makes the protected region of these entries.
@@ -212,9 +185,9 @@ void EditedFields::hold_region() {
 
 /// Holds the rims, if they are pinned.
 void EditedFields::hold_rims() {
-  if (controls_.pin_rims && !rims_)
+  if (controls().pin_rims && !rims_)
     rims_ = std::make_shared<const HeldRims>(find_held_rims(prepared_));
-  const auto wanted = controls_.pin_rims && rims_->held > 0 ? rims_ : nullptr;
+  const auto wanted = controls().pin_rims && rims_->held > 0 ? rims_ : nullptr;
   changes_.metric |= wanted != fields_.rims();
   fields_.set_rims(wanted);
 }

@@ -91,10 +91,10 @@ class EditedFields {
 
   const History& history() const { return history_; }
   const Fields& fields() const { return fields_; }
-  const Controls& controls() const { return controls_; }
+  const Controls& controls() const { return fields_.settings().controls; }
   /// Returns the rims while the controls pin them, though none may be held; else null.
   std::shared_ptr<const HeldRims> pinned_rims() const {
-    return controls_.pin_rims ? rims_ : nullptr;
+    return controls().pin_rims ? rims_ : nullptr;
   }
   /// Returns the protected region; not of one moment while this is behind.
   const Protection& protection() const { return protection_; }
@@ -105,12 +105,7 @@ class EditedFields {
  private:
   /// The entries that count, by their kind.
   struct Counting {
-    SetGradientScale slider;
-    SetTransferCurve curve;
-    Controls controls;
-    Equaliser equaliser;
-    Palette palette;
-    ColourFilter colour;
+    Settings settings;
     std::vector<const History::Entry*> protects;
     std::vector<const History::Entry*> strokes;
     std::vector<size_t> protects_before;  ///< of each stroke: so many of `protects`
@@ -130,8 +125,7 @@ class EditedFields {
   Status check_new(const Stroke& stroke) const;
   Counting counting() const;
   static std::vector<uint64_t> series_of(const Counting& counting, uint64_t begin);
-  void bound(const Controls& controls);
-  void take_layers(const Counting& counting);
+  void set(const Settings& settings);
   void protect_by(std::span<const History::Entry* const> entries);
   bool replay_protects(const Counting& counting);
   void hold_region();
@@ -150,7 +144,6 @@ class EditedFields {
   History history_;
   Fields fields_;
   const Controls born_with_;
-  Controls controls_;                     // of the fields
   std::shared_ptr<const HeldRims> rims_;  // found when rims are first pinned
   Protection protection_;
   std::vector<uint64_t> protects_applied_;  // entries that protection_ has, in order

@@ -3,30 +3,27 @@
 namespace burnish {
 
 Status LayerCheck::check_brush(const Brush& brush) const {
-  if (brush.band > static_cast<int>(bands_))
+  const size_t bands = settings_.equaliser.bands.size(), curves = settings_.palette.curves.size();
+  if (brush.band > static_cast<int>(bands))
     return failed_precondition("the brush paints the gain of band " + std::to_string(brush.band) +
-                               ", the equaliser has " + std::to_string(bands_));
-  if (brush.curve > static_cast<int>(palette_.curves.size()))
+                               ", the equaliser has " + std::to_string(bands));
+  if (brush.curve > static_cast<int>(curves))
     return failed_precondition("the brush paints curve " + std::to_string(brush.curve) +
-                               ", the palette has " + std::to_string(palette_.curves.size()));
+                               ", the palette has " + std::to_string(curves));
   return Status::ok();
 }
 
-Status LayerCheck::check(const Edit& edit) const {
+Status LayerCheck::check(const Edit& edit, const Settings& after) const {
   if (const auto* stroke = std::get_if<Stroke>(&edit.change)) return check_brush(stroke->brush);
-  if (const auto* change = std::get_if<SetPalette>(&edit.change))
-    return check_beside(change->palette, curve_);
-  if (const auto* change = std::get_if<SetTransferCurve>(&edit.change))
-    return check_beside(palette_, change->curve);
-  return Status::ok();
+  if (after.palette == settings_.palette && after.curve == settings_.curve) return Status::ok();
+  return check_beside(after.palette, after.curve);
 }
 
 Status LayerCheck::take(const Edit& edit) {
-  if (is_known_) RETURN_IF_ERROR(check(edit));
-  if (const auto* change = std::get_if<SetEqualiser>(&edit.change))
-    bands_ = change->equaliser.bands.size();
-  if (const auto* change = std::get_if<SetPalette>(&edit.change)) palette_ = change->palette;
-  if (const auto* change = std::get_if<SetTransferCurve>(&edit.change)) curve_ = change->curve;
+  Settings after = settings_;
+  after.take(edit.change);
+  if (is_known_) RETURN_IF_ERROR(check(edit, after));
+  settings_ = std::move(after);
   if (!makes_fields(kind_of(edit))) is_known_ = false;
   return Status::ok();
 }

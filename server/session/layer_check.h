@@ -1,6 +1,8 @@
 #pragma once
 
-#include "common/edit/edit.h"
+#include <utility>
+
+#include "common/edit/settings.h"
 
 namespace burnish {
 
@@ -8,20 +10,17 @@ namespace burnish {
 /// set what the next one paints.
 class LayerCheck {
  public:
-  LayerCheck(const Equaliser& equaliser, Palette palette, TransferCurve curve)
-      : bands_(equaliser.bands.size()), palette_(std::move(palette)), curve_(std::move(curve)) {}
+  explicit LayerCheck(Settings settings) : settings_(std::move(settings)) {}
 
   /// Checks the next edit, and takes it as made. Fails: failed_precondition if its brush paints a
   /// band or a curve that is not there; invalid_argument as check_beside() does.
   Status take(const Edit& edit);
 
  private:
-  Status check(const Edit& edit) const;
+  Status check(const Edit& edit, const Settings& after) const;
   Status check_brush(const Brush& brush) const;
 
-  size_t bands_;
-  Palette palette_;
-  TransferCurve curve_;
+  Settings settings_;
   bool is_known_ = true;  // not after an undo: then nothing is refused
 };
 

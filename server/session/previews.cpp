@@ -4,15 +4,29 @@
 
 namespace burnish {
 
+namespace {
+
+/// Says what a kind of edit changes.
+struct ChangesOf {
+  using Changes = Previews::Changes;
+
+  Changes operator()(const SetGradientScale&) const { return {.beta = true}; }
+  Changes operator()(const SetTransferCurve&) const { return {.metric = true}; }
+  Changes operator()(const SetPalette&) const { return {.metric = true}; }
+  Changes operator()(const SetEqualiser&) const { return {.shown = true}; }
+  Changes operator()(const SetColour&) const { return {.shown = true}; }
+  Changes operator()(const Stroke& stroke) const {
+    const Brush& brush = stroke.brush;
+    if (brush.curve > 0) return {.metric = true};
+    if (brush.band > 0 || brush.colour) return {.shown = true};
+    return {.beta = true};
+  }
+};
+
+}  // namespace
+
 Previews::Changes Previews::changes_by(const Gesture& gesture) {
-  const Stroke* stroke = std::get_if<Stroke>(&gesture.change);
-  const bool is_metric = std::holds_alternative<SetTransferCurve>(gesture.change) ||
-                         std::holds_alternative<SetPalette>(gesture.change) ||
-                         (stroke && stroke->brush.curve > 0);
-  const bool is_shown = std::holds_alternative<SetEqualiser>(gesture.change) ||
-                        std::holds_alternative<SetColour>(gesture.change) ||
-                        (stroke && (stroke->brush.band > 0 || stroke->brush.colour));
-  return {.metric = is_metric, .beta = !is_metric && !is_shown, .shown = is_shown};
+  return std::visit(ChangesOf{}, gesture.change);
 }
 
 void Previews::show(uint64_t connection, Gesture gesture) {
@@ -69,22 +83,16 @@ const Fields& Previews::over(const Fields& edited, Changes& changes) {
 }
 
 void Previews::apply(Shown& shown) {
-  if (const auto* slider = std::get_if<SetGradientScale>(&shown.gesture.change))
-    copy_->set_gradient_scale(slider->beta);
-  if (const auto* curve = std::get_if<SetTransferCurve>(&shown.gesture.change))
-    copy_->set_transfer_curve(curve->curve);
-  if (const auto* bands = std::get_if<SetEqualiser>(&shown.gesture.change))
-    copy_->set_equaliser(bands->equaliser);
-  if (const auto* palette = std::get_if<SetPalette>(&shown.gesture.change))
-    copy_->set_palette(palette->palette);
-  if (const auto* colour = std::get_if<SetColour>(&shown.gesture.change))
-    copy_->set_colour(colour->filter);
-  if (const auto* stroke = std::get_if<Stroke>(&shown.gesture.change)) {
-    const std::vector<Vec3d> centres = dab_centres(*stroke);
-    if (centres.size() <= shown.painted_dabs) return;
-    copy_->paint(stroke->brush, std::span(centres).subspan(shown.painted_dabs));
-    shown.painted_dabs = centres.size();
+  const auto* stroke = std::get_if<Stroke>(&shown.gesture.change);
+  if (!stroke) {
+    Settings settings = copy_->settings();
+    settings.take(shown.gesture.change);
+    return copy_->set(settings);
   }
+  const std::vector<Vec3d> centres = dab_centres(*stroke);
+  if (centres.size() <= shown.painted_dabs) return;
+  copy_->paint(stroke->brush, std::span(centres).subspan(shown.painted_dabs));
+  shown.painted_dabs = centres.size();
 }
 
 Previews::Changes Previews::set_aside() {

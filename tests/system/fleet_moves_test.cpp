@@ -90,7 +90,7 @@ TEST_F(FleetMoves, CallsGoWhereTheSessionIs) {
   const Edit edit{"through-two", SetGradientScale{0.5}};
   const auto applied = connection.apply("work", {&edit, 1});
   ASSERT_TRUE(applied.is_ok()) << applied.status().message();
-  EXPECT_EQ(connection.state("work").value().gradient_scale, 0.5);
+  EXPECT_EQ(connection.state("work").value().settings.beta, 0.5);
   EXPECT_EQ(connection.server(), two().address);
   EXPECT_THAT(history_at(one()), testing::ElementsAre("through-two"));
 }

@@ -246,7 +246,7 @@ TEST_F(FrontService, ALineOfTheScriptLanguageEditsTheSession) {
   ASSERT_TRUE(until([this] { return document()["beta"] == 0.5; }));
   line("beta 0");
   ASSERT_TRUE(until([this] { return is_settled() && document()["history"].size() == 1; }));
-  EXPECT_EQ(owner_.state("work")->gradient_scale, 0);
+  EXPECT_EQ(owner_.state("work")->settings.beta, 0);
   line("undo");
   ASSERT_TRUE(
       until([this] { return is_settled() && document()["history"][0]["enabled"] == false; }));
@@ -273,7 +273,7 @@ TEST_F(FrontService, ThePlotsPointsAreDraggedAndCommitted) {
   line("plot drop");
   ASSERT_TRUE(until([this] { return is_settled() && document()["history"].size() == 1; }));
   EXPECT_EQ(document()["curve"]["points"].size(), 2u);
-  EXPECT_EQ(owner_.state("work")->transfer_curve.to_string(), document()["curve"]["text"]);
+  EXPECT_EQ(owner_.state("work")->settings.curve.to_string(), document()["curve"]["text"]);
 }
 
 TEST_F(FrontService, ARefusedLineIsAnsweredWithTheCoresWords) {

@@ -118,7 +118,7 @@ TEST_F(LiveService, ShowsAnEditToAllItsClients) {
   ASSERT_TRUE(anna.until([&] { return anna.told<EditsAcknowledged>(); }));
   EXPECT_THAT(anna.told<EditsAcknowledged>()->edit_ids, ElementsAre("a"));
   ASSERT_TRUE(bert.until([&] { return bert.told<HistoryState>(); }));
-  EXPECT_EQ(bert.told<HistoryState>()->gradient_scale, 0);
+  EXPECT_EQ(bert.told<HistoryState>()->settings.beta, 0);
   ASSERT_TRUE(bert.until([&] {
     return bert.told<SessionPeople>() && bert.told<SessionPeople>()->present.size() == 2;
   }));

@@ -19,7 +19,7 @@ class FieldWindow : public WindowTest {
     screen_->type(text);
     screen_->key({"Return"});
   }
-  double beta() { return connection_->state("desk")->gradient_scale; }
+  double beta() { return connection_->state("desk")->settings.beta; }
 };
 
 TEST_F(FieldWindow, TakesADecimalCommaAndRefusesWhatIsNotANumber) {

@@ -50,14 +50,14 @@ TEST_F(WindowTest, AStrokeASliderACurvePointAndUndoChangeTheSessionAndThePicture
 
   screen_->drag(kBetaMiddleX, kBetaY, kBetaLeftX, kBetaY);
   EXPECT_EQ(newest_of(2).kind, EditKind::kGradientScale);
-  EXPECT_TRUE(eventually([&] { return connection_->state("desk")->gradient_scale < 0.3; }));
+  EXPECT_TRUE(eventually([&] { return connection_->state("desk")->settings.beta < 0.3; }));
   EXPECT_TRUE(until_it_differs(painted, 1));
   const Image smoothed = settle();
 
   screen_->drag(kPlotX, kPlotY, kPlotX, kPlotY - 40);
   EXPECT_EQ(newest_of(3).kind, EditKind::kTransferCurve);
   EXPECT_TRUE(
-      eventually([&] { return connection_->state("desk")->transfer_curve.points().size() == 2; }));
+      eventually([&] { return connection_->state("desk")->settings.curve.points().size() == 2; }));
   EXPECT_TRUE(until_it_differs(smoothed, 0.1));
 
   screen_->move(kPictureX, kPictureY);

@@ -23,7 +23,7 @@ ProcessingRecord record_of_head() {
   record.scan.unit = "mm";
   record.scan.statistics.triangles = 12;
   record.state.session.name = "work";
-  record.state.gradient_scale = 0.25;
+  record.state.settings.beta = 0.25;
   record.edits = {{1, "x", "anna", 1'700'000'000'000, EditKind::kGradientScale, "beta 0.25", true},
                   {2, "y", "", 1'700'000'001'000, EditKind::kStroke, "stroke & more", false}};
   record.file = "head.ply";

@@ -46,8 +46,8 @@ TEST(SessionWire, AWishForAnExportComesBackUnchanged) {
 TEST(SessionWire, AStateComesBackUnchanged) {
   SessionState state;
   state.session = {"id", "name", std::string(64, 'a'), {8, 0}, 17, 3, true};
-  state.gradient_scale = 0.5;
-  state.transfer_curve = *TransferCurve::create({{-5, 10}, {5, 100}});
+  state.settings.beta = 0.5;
+  state.settings.curve = *TransferCurve::create({{-5, 10}, {5, 100}});
   state.cycles = 4;
   state.backend = "cpu";
   state.rims = 5;
@@ -56,7 +56,7 @@ TEST(SessionWire, AStateComesBackUnchanged) {
   const auto back = from_wire(to_wire(state));
   ASSERT_TRUE(back.is_ok());
   EXPECT_EQ(to_wire(back.value()).SerializeAsString(), to_wire(state).SerializeAsString());
-  EXPECT_EQ(back.value().transfer_curve, state.transfer_curve);
+  EXPECT_EQ(back.value().settings.curve, state.settings.curve);
   EXPECT_EQ(back.value().rims, 5);
   EXPECT_EQ(back.value().rims_held, 4);
   EXPECT_EQ(back.value().walls.share, 0.25);

@@ -31,7 +31,7 @@ TEST_F(LiveEdits, EditsAreAnsweredOnceOnDiskAllOrNone) {
   const std::string id = manager_->list()[0].id;
   EXPECT_EQ(journal_->edits(id).value().size(), 2u);
   EXPECT_EQ(ann.all<HistoryState>().back(),
-            (HistoryState{2, 0.5, TransferCurve(50), kNewSessionControls}));
+            (HistoryState{2, {0.5, TransferCurve(50), kNewSessionControls}}));
 }
 
 TEST_F(LiveEdits, APreviewReachesEverybodyAndIsGoneWithItsConnection) {
@@ -92,7 +92,7 @@ TEST_F(LiveEdits, AGainMovesTheSurfaceWithoutACycle) {
   EXPECT_EQ(ann.all<LiveFrame>().back().stats.edits, 2u);
   EXPECT_EQ(ann.all<LiveFrame>().back().stats.cycles, cycles);
   EXPECT_EQ(ann.pages.values(), dragged);
-  EXPECT_EQ(ann.all<HistoryState>().back().equaliser, bands(0).equaliser);
+  EXPECT_EQ(ann.all<HistoryState>().back().settings.equaliser, bands(0).equaliser);
 }
 
 TEST_F(LiveEdits, APreviewOfBandsThatCannotBeIsRefused) {
@@ -177,7 +177,7 @@ TEST_F(LiveEdits, EditsAreAnsweredWhileAnExportSolves) {
       "work", {.format = MeshFormat::kObj, .cycles = 10'000}, {}, until_answered);
   EXPECT_EQ(exported.status().code(), StatusCode::kCancelled);
   EXPECT_EQ(ann.all<EditsAcknowledged>().size(), 1u);
-  EXPECT_EQ(manager_->state("work", {}).value().gradient_scale, 0.5);
+  EXPECT_EQ(manager_->state("work", {}).value().settings.beta, 0.5);
   ann.leave();
 }
 

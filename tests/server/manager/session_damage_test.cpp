@@ -63,7 +63,7 @@ class SessionDamageTest : public testing::Test {
 
 TEST_F(SessionDamageTest, ASessionWithADamagedEditOpensTakesEditsAndIsExported) {
   damage("UPDATE edits SET bytes = x'0102' WHERE number = 2");
-  EXPECT_EQ(manager_->state("one", {}).value().gradient_scale, 0.25);
+  EXPECT_EQ(manager_->state("one", {}).value().settings.beta, 0.25);
   const HistoryPage page = manager_->history({"one", 0, 100}, {}).value();
   ASSERT_EQ(page.entries.size(), 3u);
   EXPECT_EQ(page.entries[1].kind, EditKind::kDamaged);
@@ -77,7 +77,7 @@ TEST_F(SessionDamageTest, ASessionWithADamagedEditOpensTakesEditsAndIsExported) 
   EXPECT_EQ(apply("e", SetGradientScale{2}).value().entries[0], 4u);
   EXPECT_TRUE(manager_->export_mesh("one", {MeshFormat::kPly, false, 1}, {}).is_ok());
   start();
-  EXPECT_EQ(manager_->state("one", {}).value().gradient_scale, 2);
+  EXPECT_EQ(manager_->state("one", {}).value().settings.beta, 2);
 }
 
 TEST_F(SessionDamageTest, AForkOfASessionWithADamagedEditOpens) {
@@ -85,7 +85,7 @@ TEST_F(SessionDamageTest, AForkOfASessionWithADamagedEditOpens) {
   const auto fork = manager_->fork({"one", "two", 0, "named"}, "ann", {});
   ASSERT_TRUE(fork.is_ok()) << fork.status().message();
   EXPECT_EQ(fork->session.edits, 3u);
-  EXPECT_EQ(manager_->state("two", {}).value().gradient_scale, 0.25);
+  EXPECT_EQ(manager_->state("two", {}).value().settings.beta, 0.25);
 }
 
 TEST_F(SessionDamageTest, AForkLeavesItsSourceOutOfMemory) {

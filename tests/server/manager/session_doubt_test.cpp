@@ -64,13 +64,13 @@ TEST_F(SessionDoubtTest, AnEditThatIsOnDiskAfterAllIsKnownWhenItComesAgain) {
   ASSERT_TRUE(again.is_ok()) << again.status().message();
   EXPECT_EQ(again->known, 1u);
   EXPECT_EQ(again->edits, 2u);
-  EXPECT_EQ(manager_->state("one", {}).value().gradient_scale, 2);
+  EXPECT_EQ(manager_->state("one", {}).value().settings.beta, 2);
 }
 
 TEST_F(SessionDoubtTest, AnEditThatIsNotOnDiskIsTakenWhenItComesAgain) {
   journal_.next = Doubt::kLost;
   EXPECT_EQ(apply("b", 2).status().code(), StatusCode::kUnavailable);
-  EXPECT_EQ(manager_->state("one", {}).value().gradient_scale, 0.5);
+  EXPECT_EQ(manager_->state("one", {}).value().settings.beta, 0.5);
   const auto again = apply("b", 2);
   ASSERT_TRUE(again.is_ok()) << again.status().message();
   EXPECT_EQ(again->applied, 1u);

@@ -85,12 +85,12 @@ TEST_F(SessionManagerTest, ARenamedSessionKeepsItsEditsAndFreesItsOldName) {
   ASSERT_TRUE(renamed.is_ok()) << renamed.status().message();
   EXPECT_EQ(renamed->name, "two");
   EXPECT_EQ(renamed->id, id);
-  EXPECT_EQ(manager_->state("two", {})->gradient_scale, 0.5);
+  EXPECT_EQ(manager_->state("two", {})->settings.beta, 0.5);
   EXPECT_EQ(manager_->state("one", {}).status().code(), StatusCode::kNotFound);
   start();
   ASSERT_EQ(manager_->list().size(), 1u);
   EXPECT_EQ(manager_->list()[0].name, "two");
-  EXPECT_EQ(manager_->state("two", {})->gradient_scale, 0.5);
+  EXPECT_EQ(manager_->state("two", {})->settings.beta, 0.5);
   EXPECT_FALSE(open("one")->attached);
 }
 
@@ -122,7 +122,7 @@ TEST_F(SessionManagerTest, AFailedEditInABatchUndoesTheWholeBatch) {
   EXPECT_EQ(outcome.status().code(), StatusCode::kInvalidArgument);
   EXPECT_THAT(outcome.status().message(), HasSubstr("edit c"));
   const SessionState state = manager_->state("one", {}).value();
-  EXPECT_EQ(state.gradient_scale, 0.5);
+  EXPECT_EQ(state.settings.beta, 0.5);
   EXPECT_EQ(state.session.edits, 1u);
 }
 
@@ -150,7 +150,7 @@ TEST_F(SessionManagerTest, AForkAtAnotherDepthHasAllEditsButSetsNoSingleCells) {
   EXPECT_EQ(deeper.session.key.depth, 6);
   EXPECT_EQ(deeper.session.edits, 3u);
   EXPECT_EQ(deeper.emptied_edits, 1u);
-  EXPECT_EQ(manager_->state("deeper", {}).value().gradient_scale, 0.5);
+  EXPECT_EQ(manager_->state("deeper", {}).value().settings.beta, 0.5);
   const auto check = [](Session& session) {
     EXPECT_GT(std::ranges::max(cell_values(session, CellValue::kBeta)), 1.5f);  // of the stroke
     return Status::ok();
@@ -201,7 +201,7 @@ TEST_F(SessionManagerTest, AClosedSessionKeepsItsEdits) {
   ASSERT_TRUE(apply("one", {{"a", SetGradientScale{0.5}}}).is_ok());
   ASSERT_TRUE(manager_->close("one", user_, {}).is_ok());
   EXPECT_FALSE(manager_->list()[0].in_memory);
-  EXPECT_EQ(manager_->state("one", {}).value().gradient_scale, 0.5);
+  EXPECT_EQ(manager_->state("one", {}).value().settings.beta, 0.5);
   EXPECT_EQ(apply("one", {{"a", SetGradientScale{0.7}}}).value().known, 1u);
 }
 
@@ -250,8 +250,8 @@ TEST_F(SessionManagerTest, AnIdMeansItsSessionWhateverOthersAreCalled) {
   ASSERT_TRUE(journal_->create_session(forged, {}).is_ok());
   start();
   ASSERT_TRUE(apply(one.id, {{"a", SetGradientScale{0.5}}}).is_ok());
-  EXPECT_EQ(manager_->state("one", {}).value().gradient_scale, 0.5);
-  EXPECT_EQ(manager_->state("f00", {}).value().gradient_scale, 1);
+  EXPECT_EQ(manager_->state("one", {}).value().settings.beta, 0.5);
+  EXPECT_EQ(manager_->state("f00", {}).value().settings.beta, 1);
 }
 
 TEST_F(SessionManagerTest, WhoGivesUpOpeningTakesNothingFromWhoWaits) {

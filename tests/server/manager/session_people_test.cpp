@@ -40,7 +40,7 @@ class SessionPeopleTest : public testing::Test {
   }
 
   double beta(const std::string& session = "work") {
-    return manager_->state(session, {}).value().gradient_scale;
+    return manager_->state(session, {}).value().settings.beta;
   }
 
   TestLibrary library_;
