@@ -31,8 +31,8 @@ void draw_filter(Document& document, MessageLog& log) {
   SliderChange change = beta_slider("Gradient scale of colours", changed.beta,
                                     to_imgui(blue_to_red(signed_part_of_beta(changed.beta))), log);
   change = std::max(change, draw_size(document, changed.alpha, log));
-  if (change == SliderChange::kMoving) document.preview_colour(changed);
-  if (change == SliderChange::kDone) document.set_colour_filter(changed);
+  if (change == SliderChange::kMoving) document.preview(SetColour{changed});
+  if (change == SliderChange::kDone) document.commit(SetColour{changed});
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ void ColourPanel::draw(Workspace& workspace) {
   ImGui::BeginDisabled(document.is_viewer());
   draw_filter(document, workspace.log);
   if (noted("Keep colours", ImGui::Button("Keep colours", {-1, 0})))
-    document.set_colour_filter({document.colour_filter().alpha, 1});
+    document.commit(SetColour{{document.colour_filter().alpha, 1}});
   hint("Sets the gradient scale to 1. Painted colours stay painted.");
   ImGui::EndDisabled();
 }

@@ -75,8 +75,8 @@ void draw_bands(Document& document, bool shows_sizes, MessageLog& log) {
     change = std::max(change, draw_gain(document, number, band.gain, log));
     if (shows_sizes) change = std::max(change, draw_size(document, number, band.size, log));
   }
-  if (change == SliderChange::kMoving) document.preview_equaliser(changed);
-  if (change == SliderChange::kDone) document.set_equaliser(changed);
+  if (change == SliderChange::kMoving) document.preview(SetEqualiser{changed});
+  if (change == SliderChange::kDone) document.commit(SetEqualiser{changed});
 }
 
 void draw_buttons(Document& document) {
@@ -84,10 +84,11 @@ void draw_buttons(Document& document) {
   if (noted("All gains 1", ImGui::Button("All gains 1", {half, 0}))) {
     Equaliser level = document.equaliser();
     for (Band& band : level.bands) band.gain = 1;
-    document.set_equaliser(level);
+    document.commit(SetEqualiser{level});
   }
   ImGui::SameLine();
-  if (noted("Remove bands", ImGui::Button("Remove bands", {half, 0}))) document.set_equaliser({});
+  if (noted("Remove bands", ImGui::Button("Remove bands", {half, 0})))
+    document.commit(SetEqualiser{});
 }
 
 }  // namespace
@@ -97,7 +98,7 @@ void EqualiserPanel::draw(Workspace& workspace) {
   ImGui::BeginDisabled(document.is_viewer());
   if (document.equaliser().bands.empty()) {
     if (noted("Make bands", ImGui::Button("Make bands", {-1, 0})))
-      document.set_equaliser(first_bands(document.cell_size(), document.diagonal()));
+      document.commit(SetEqualiser{first_bands(document.cell_size(), document.diagonal())});
     hint("Splits the surface's detail by size. Each band gets a gain, and a brush can paint it.");
   } else {
     draw_response(document);

@@ -32,7 +32,7 @@ bool draw_curve_row(Document& document, Palette& palette, size_t index) {
   if (ImGui::ColorEdit3("##colour", &colour.x,
                         ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel)) {
     curve.colour = from_colour(&colour.x);
-    document.preview_palette(palette);
+    document.preview(SetPalette{palette});
   }
   is_changed |= ImGui::IsItemDeactivatedAfterEdit();
   ImGui::SameLine();
@@ -95,7 +95,7 @@ void PalettePanel::draw(Workspace& workspace) {
     palette.curves.pop_back();
     is_changed = true;
   }
-  if (is_changed) document.set_palette(palette);
+  if (is_changed) document.commit(SetPalette{palette});
   ImGui::EndDisabled();
 }
 

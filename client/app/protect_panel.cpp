@@ -74,7 +74,7 @@ static void draw_cap(Document& document, MessageLog& log) {
   if (change == SliderChange::kDone) {
     document.set_controls(controls);
   } else {
-    document.show_controls(controls);
+    document.preview(SetControls{controls});
   }
 }
 

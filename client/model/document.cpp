@@ -4,6 +4,7 @@
 
 #include "client/connection/links.h"
 #include "common/edit/edit_id.h"
+#include "common/edit/preview_change.h"
 #include "common/edit/wavelength.h"
 
 namespace burnish {
@@ -79,57 +80,17 @@ void Document::count_step(const Change& change) {
   if (makes_fields(kind_of({{}, change}))) undo_steps_.add();
 }
 
-/// Shows a value that a drag passes.
-void Document::preview(PreviewChange change) {
-  if (gesture_.empty()) gesture_ = random_id();
+void Document::preview(Change change) {
   settings_.take(change);
-  live_->preview(gesture_, std::move(change));
+  auto shown = preview_of(std::move(change));
+  if (!shown) return;
+  if (gesture_.empty()) gesture_ = random_id();
+  live_->preview(gesture_, std::move(*shown));
 }
 
-/// Makes the edit of a drag, or one without a drag.
 void Document::commit(Change change) {
   const std::string id = gesture_.empty() ? random_id() : std::exchange(gesture_, {});
   send_as(id, std::move(change));
-}
-
-void Document::preview_beta(double beta) {
-  preview(SetGradientScale{beta});
-}
-
-void Document::commit_beta() {
-  commit(SetGradientScale{beta()});
-}
-
-void Document::preview_curve() {
-  preview(SetTransferCurve{curve_.curve()});
-}
-
-void Document::commit_curve() {
-  commit(SetTransferCurve{curve_.curve()});
-}
-
-void Document::preview_equaliser(Equaliser equaliser) {
-  preview(SetEqualiser{std::move(equaliser)});
-}
-
-void Document::set_equaliser(Equaliser equaliser) {
-  commit(SetEqualiser{std::move(equaliser)});
-}
-
-void Document::preview_palette(Palette palette) {
-  preview(SetPalette{std::move(palette)});
-}
-
-void Document::set_palette(Palette palette) {
-  commit(SetPalette{std::move(palette)});
-}
-
-void Document::preview_colour(const ColourFilter& filter) {
-  preview(SetColour{filter});
-}
-
-void Document::set_colour_filter(const ColourFilter& filter) {
-  commit(SetColour{filter});
 }
 
 void Document::set_controls(const Controls& controls) {

@@ -89,14 +89,18 @@ class Document {
   /// Brings what this picture needs to the renderer of open(). Fails: as the renderer does.
   Status look(const Camera& camera, const ImageSize& size);
 
+  /// Shows a value that a drag passes; others see it too, where gestures show its kind.
+  void preview(Change change);
+  /// Makes the edit of a drag, or one without a drag.
+  void commit(Change change);
   // During a drag, preview the gradient scale and the curve; at its end, commit.
   double beta() const { return settings_.beta; }
-  void preview_beta(double beta);
-  void commit_beta();
+  void preview_beta(double beta) { preview(SetGradientScale{beta}); }
+  void commit_beta() { commit(SetGradientScale{beta()}); }
   CurveEditor& curve() { return curve_; }
   const CurveEditor& curve() const { return curve_; }
-  void preview_curve();
-  void commit_curve();
+  void preview_curve() { preview(SetTransferCurve{curve_.curve()}); }
+  void commit_curve() { commit(SetTransferCurve{curve_.curve()}); }
   /// Makes the gradient scale, the curve and the bands those of a preset.
   void apply(const Preset& preset, double strength = 1);
   /// During a drag of the strength of the preset in force, preview; at its end, commit.
@@ -112,16 +116,10 @@ class Document {
   /// The bands and the palette, as the user or the session set them last. During a drag preview
   /// them; at its end, set them.
   const Equaliser& equaliser() const { return settings_.equaliser; }
-  void preview_equaliser(Equaliser equaliser);
-  void set_equaliser(Equaliser equaliser);
   const Palette& palette() const { return settings_.palette; }
-  void preview_palette(Palette palette);
-  void set_palette(Palette palette);
 
   /// How the scan's colours are filtered, likewise. Needs: has_colours().
   const ColourFilter& colour_filter() const { return settings_.colour; }
-  void preview_colour(const ColourFilter& filter);
-  void set_colour_filter(const ColourFilter& filter);
 
   /// Bounds on what all edits do: as the user or the session set them last.
   const Controls& controls() const { return settings_.controls; }
@@ -130,8 +128,6 @@ class Document {
   std::optional<RimCount> rims() const { return controls().pin_rims ? rims_ : std::nullopt; }
   /// Changes the region in which nothing moves.
   void protect(Protect change) { send(std::move(change)); }
-  /// Shows values that a drag passes; set_controls() ends it.
-  void show_controls(const Controls& controls) { settings_.controls = controls; }
   bool is_closed() const { return opened_.scan.scan.statistics.is_closed(); }
 
   // Draw a stroke from point to point of the original surface.
@@ -204,8 +200,6 @@ class Document {
     bool curves = false;
     bool operator==(const Over&) const = default;
   };
-  void preview(PreviewChange change);
-  void commit(Change change);
   void send(Change change);
   void send_as(const std::string& id, Change change);
   void count_step(const Change& change);

@@ -12,7 +12,7 @@ void Document::apply(const Preset& preset, double strength) {
   if (preset.brush_beta) brush_.brush.beta = *preset.brush_beta;
   const bool has_bands = !applied.equaliser.bands.empty() || !equaliser().bands.empty();
   // The first edit ends a drag, so it is of the value that the drag moved.
-  if (has_bands) set_equaliser(std::move(applied.equaliser));
+  if (has_bands) commit(SetEqualiser{std::move(applied.equaliser)});
   commit_curve();
   commit_beta();
   undo_steps_.join_last_two();
@@ -22,12 +22,12 @@ void Document::apply(const Preset& preset, double strength) {
 void Document::preview_strength(const Preset& preset, double strength) {
   PresetFilter passed = filter_of(preset, strength, lengths());
   if (preset.bands.empty()) return preview_beta(passed.beta);
-  preview_equaliser(std::move(passed.equaliser));
+  preview(SetEqualiser{std::move(passed.equaliser)});
 }
 
 void Document::commit_strength(const Preset& preset) {
   if (preset.bands.empty()) return commit_beta();
-  set_equaliser(equaliser());
+  commit(SetEqualiser{equaliser()});
 }
 
 std::optional<PresetInForce> Document::preset_in_force(const std::vector<Preset>& own) const {

@@ -42,7 +42,7 @@ Result<Controls> parse_controls(const std::vector<std::string>& words) {
   return controls;
 }
 
-Result<Equaliser> parse_bands(const std::vector<std::string>& words) {
+static Result<Equaliser> parse_bands(const std::vector<std::string>& words) {
   Equaliser equaliser;
   for (const std::string& word : words) {
     ASSIGN_OR_RETURN(const Band band, parse_band(word));
@@ -52,8 +52,8 @@ Result<Equaliser> parse_bands(const std::vector<std::string>& words) {
   return equaliser;
 }
 
-Result<ColourFilter> parse_colours(const std::vector<std::string>& words,
-                                   const Document& document) {
+static Result<ColourFilter> parse_colours(const std::vector<std::string>& words,
+                                          const Document& document) {
   ColourFilter filter = document.colour_filter();
   ASSIGN_OR_RETURN(filter.beta, parse_real(words[0]));
   if (words.size() > 1) {
@@ -62,6 +62,27 @@ Result<ColourFilter> parse_colours(const std::vector<std::string>& words,
   RETURN_IF_ERROR(check_colour_filter(filter));
   if (!document.has_colours()) return failed_precondition("the scan has no colours to edit");
   return filter;
+}
+
+Result<std::optional<Change>> parse_setting(const ScriptLine& line, const Document& document) {
+  if (line.command == "beta") {
+    ASSIGN_OR_RETURN(const double beta, parse_real(line.words[0]));
+    RETURN_IF_ERROR(check_beta(beta));
+    return std::optional<Change>(SetGradientScale{beta});
+  }
+  if (line.command == "bands") {
+    ASSIGN_OR_RETURN(Equaliser equaliser, parse_bands(line.words));
+    return std::optional<Change>(SetEqualiser{std::move(equaliser)});
+  }
+  if (line.command == "palette") {
+    ASSIGN_OR_RETURN(Palette palette, parse_palette_line(line.rest()));
+    return std::optional<Change>(SetPalette{std::move(palette)});
+  }
+  if (line.command == "colours") {
+    ASSIGN_OR_RETURN(const ColourFilter filter, parse_colours(line.words, document));
+    return std::optional<Change>(SetColour{filter});
+  }
+  return std::optional<Change>();
 }
 
 namespace {
@@ -98,11 +119,9 @@ Result<Stroke> parse_stroke(const std::vector<std::string>& words) {
 
 Status change_document(const ScriptLine& line, Document& document) {
   const std::string& command = line.command;
-  if (command == "beta") {
-    ASSIGN_OR_RETURN(const double beta, parse_real(line.words[0]));
-    RETURN_IF_ERROR(check_beta(beta));
-    document.preview_beta(beta);
-    document.commit_beta();
+  ASSIGN_OR_RETURN(auto setting, parse_setting(line, document));
+  if (setting) {
+    document.commit(std::move(*setting));
   } else if (command == "fidelity") {
     ASSIGN_OR_RETURN(const double alpha, parse_real(line.words[0]));
     RETURN_IF_ERROR(check_alpha(alpha));
@@ -121,15 +140,6 @@ Status change_document(const ScriptLine& line, Document& document) {
   } else if (command == "protect") {
     ASSIGN_OR_RETURN(Protect change, parse_protect(line.words));
     document.protect(std::move(change));
-  } else if (command == "bands") {
-    ASSIGN_OR_RETURN(Equaliser equaliser, parse_bands(line.words));
-    document.set_equaliser(std::move(equaliser));
-  } else if (command == "palette") {
-    ASSIGN_OR_RETURN(Palette palette, parse_palette_line(line.rest()));
-    document.set_palette(std::move(palette));
-  } else if (command == "colours") {
-    ASSIGN_OR_RETURN(const ColourFilter filter, parse_colours(line.words, document));
-    document.set_colour_filter(filter);
   } else if (command == "brush") {
     ASSIGN_OR_RETURN(document.brush().brush, parse_brush(line.words));
   } else if (command == "stroke") {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,11 +32,12 @@ struct ChosenPreset {
 /// Fails also: not_found for an unknown name.
 Result<ChosenPreset> parse_preset(std::vector<std::string> words);
 
-// Parts of lines. All fail with invalid_argument that names the word.
-Result<Equaliser> parse_bands(const std::vector<std::string>& words);
-/// Parses PIN CAP KEEP.
+/// Parses PIN CAP KEEP. Fails: invalid_argument that names the word.
 Result<Controls> parse_controls(const std::vector<std::string>& words);
-/// Parses BETA [ALPHA]. Fails also: failed_precondition without colours.
-Result<ColourFilter> parse_colours(const std::vector<std::string>& words, const Document& document);
+
+/// Parses a line that sets a value which a drag may pass: `beta`, `bands`, `palette`, `colours`.
+/// Returns nothing for other commands. Fails: invalid_argument that names the word;
+/// failed_precondition for colours of a scan without.
+Result<std::optional<Change>> parse_setting(const ScriptLine& line, const Document& document);
 
 }  // namespace burnish

@@ -1,8 +1,7 @@
 // What the client says in a live session.
 
-#include <type_traits>
-
 #include "common/base/limits.h"
+#include "common/edit/preview_change.h"
 #include "common/wire/change_writer.h"
 #include "common/wire/edit_wire.h"
 #include "common/wire/history_wire.h"
@@ -79,13 +78,7 @@ Result<Preview> read_preview(const v1::Preview& message) {
   if (message.has_palette()) *whole.mutable_palette() = message.palette();
   if (message.has_colour()) *whole.mutable_colour() = message.colour();
   ASSIGN_OR_RETURN(Edit edit, from_wire(whole));
-  Preview preview{std::move(edit.id), {}};
-  const auto take = [&](auto& change) {
-    if constexpr (std::is_constructible_v<PreviewChange, decltype(change)>)
-      preview.change = std::move(change);
-  };
-  std::visit(take, edit.change);
-  return preview;
+  return Preview{std::move(edit.id), *preview_of(std::move(edit.change))};
 }
 
 Result<MoveBrush> read_move_brush(const v1::MoveBrush& message) {

@@ -15,40 +15,25 @@ Words words_from(const FrontWords& line, size_t first) {
   return {line.words.begin() + static_cast<std::ptrdiff_t>(first), line.words.end()};
 }
 
-std::string joined(const Words& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
-}
-
-Status preview(const std::string& what, const Words& words, Document& document) {
-  if (what == "beta") {
-    ASSIGN_OR_RETURN(const double beta, parse_real(words[0]));
-    RETURN_IF_ERROR(check_beta(beta));
-    document.preview_beta(beta);
-  } else if (what == "preset") {
+Status preview(const ScriptLine& line, Document& document) {
+  const Words& words = line.words;
+  ASSIGN_OR_RETURN(auto setting, parse_setting(line, document));
+  if (setting) {
+    document.preview(std::move(*setting));
+  } else if (line.command == "preset") {
     ASSIGN_OR_RETURN(const ChosenPreset chosen, parse_preset(words));
     document.preview_strength(chosen.preset, chosen.strength);
-  } else if (what == "fidelity") {
+  } else if (line.command == "fidelity") {
     ASSIGN_OR_RETURN(const double alpha, parse_real(words[0]));
     RETURN_IF_ERROR(check_alpha(alpha));
     document.curve().set_fidelity(alpha);
     document.preview_curve();
-  } else if (what == "bands") {
-    ASSIGN_OR_RETURN(Equaliser equaliser, parse_bands(words));
-    document.preview_equaliser(std::move(equaliser));
-  } else if (what == "palette") {
-    ASSIGN_OR_RETURN(Palette palette, parse_palette_line(joined(words)));
-    document.preview_palette(std::move(palette));
-  } else if (what == "colours") {
-    ASSIGN_OR_RETURN(const ColourFilter filter, parse_colours(words, document));
-    document.preview_colour(filter);
-  } else if (what == "controls") {
+  } else if (line.command == "controls") {
     if (words.size() != 3) return invalid_argument("controls are PIN CAP KEEP");
     ASSIGN_OR_RETURN(const Controls controls, parse_controls(words));
-    document.show_controls(controls);
+    document.preview(SetControls{controls});
   } else {
-    return invalid_argument("'" + what + "' has no preview");
+    return invalid_argument("'" + line.command + "' has no preview");
   }
   return Status::ok();
 }
@@ -119,10 +104,10 @@ std::optional<Status> do_preview(const FrontWords& line, Document& document) {
   if (line.command != "preview") return std::nullopt;
   const Status has_words = need_words(line, 1);
   if (!has_words.is_ok()) return has_words;
-  const Words words = words_from(line, 1);
+  Words words = words_from(line, 1);
   const bool may_be_empty = line.words[0] == "bands" || line.words[0] == "palette";
   if (words.empty() && !may_be_empty) return need_words(line, 2);
-  return preview(line.words[0], words, document);
+  return preview({0, line.words[0], std::move(words)}, document);
 }
 
 std::optional<Status> do_plot(const FrontWords& line, Document& document) {

@@ -145,7 +145,7 @@ std::optional<Status> do_tool_line(const FrontWords& line, FrontParts& parts) {
   } else if (command == "cancel") {
     workspace.viewport.cancel(document);
   } else if (command == "bands" && line.words == std::vector<std::string>{"first"}) {
-    document.set_equaliser(first_bands(document.cell_size(), document.diagonal()));
+    document.commit(SetEqualiser{first_bands(document.cell_size(), document.diagonal())});
   } else {
     return std::nullopt;
   }
