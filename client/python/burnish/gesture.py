@@ -14,7 +14,8 @@ from .edits import Change
 if TYPE_CHECKING:
     from .live import Live
 
-SHOWN = ("gradient_scale", "transfer_curve", "stroke", "equaliser", "palette", "colour")
+SHOWN = {field.name for field in editing_pb2.Preview.DESCRIPTOR.oneofs_by_name["change"].fields
+         if field.name != "drop"}
 
 
 class Gesture:
@@ -37,7 +38,7 @@ class Gesture:
     def show(self, change: Change) -> None:
         """Lets everybody see the change. Raises ValueError for one that has no preview."""
         wire = with_change(change).to_wire()
-        if not set(wire) <= set(SHOWN):
+        if not set(wire) <= SHOWN:
             raise ValueError(f"{type(change).__name__} has no preview")
         self._is_shown = True
         self._live.preview(self._id, wire)

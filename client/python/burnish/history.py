@@ -13,13 +13,9 @@ from burnish.v1 import editing_pb2
 from .edits import Band, ColourFilter, Controls, PaletteCurve, TransferCurve
 from .scan import ThinWalls
 
-KINDS = {editing_pb2.ENTRY_KIND_GRADIENT_SCALE: "gradient scale",
-         editing_pb2.ENTRY_KIND_TRANSFER_CURVE: "transfer curve",
-         editing_pb2.ENTRY_KIND_STROKE: "stroke", editing_pb2.ENTRY_KIND_CELL_FIELDS: "cell fields",
-         editing_pb2.ENTRY_KIND_CONTROLS: "controls", editing_pb2.ENTRY_KIND_PROTECT: "protect",
-         editing_pb2.ENTRY_KIND_EQUALISER: "equaliser", editing_pb2.ENTRY_KIND_PALETTE: "palette",
-         editing_pb2.ENTRY_KIND_COLOUR: "colour", editing_pb2.ENTRY_KIND_CHECKPOINT: "checkpoint",
-         editing_pb2.ENTRY_KIND_DAMAGED: "damaged"}
+KINDS: dict[int, str] = {
+    number: name.removeprefix("ENTRY_KIND_").replace("_", " ").lower()
+    for name, number in editing_pb2.EntryKind.items() if number}
 
 
 def _kind(message: editing_pb2.HistoryEntry) -> str:
