@@ -13,12 +13,15 @@ namespace {
 
 struct GenerateOptions {
   GeneratedScan scan;
+  std::string noise_kind = "range";
   std::string out;
   bool json = false;
 };
 
 Status run(const GenerateOptions& options) {
-  ASSIGN_OR_RETURN(const TriangleMesh mesh, generate_scan(options.scan));
+  GeneratedScan scan = options.scan;
+  ASSIGN_OR_RETURN(scan.noise_kind, parse_noise_kind(options.noise_kind));
+  ASSIGN_OR_RETURN(const TriangleMesh mesh, generate_scan(scan));
   RETURN_IF_ERROR(write_mesh(mesh, options.out));
   if (options.json) {
     print_json({{"out", options.out},
@@ -50,12 +53,21 @@ void add_generate_command(CommandTable& table) {
   command->add_option("--vertices", options->scan.vertices, "About how many")
       ->capture_default_str();
   command->add_option("--seed", options->scan.seed, "Same seed, same scan")->capture_default_str();
+  CLI::Option* noise =
+      command
+          ->add_option(
+              "--noise", options->scan.noise,
+              "Deviation of the scanner's noise, over the mean edge, along the normals; 0: none "
+              "(default: what the kind has by itself)")
+          ->check(in_range(0.0, kScannerNoiseMax));
   command
-      ->add_option(
-          "--noise", options->scan.noise,
-          "Deviation of the scanner's noise, over the mean edge, along the normals; 0: none "
-          "(default: what the kind has by itself)")
-      ->check(in_range(0.0, kScannerNoiseMax));
+      ->add_option("--noise-kind", options->noise_kind,
+                   "range: half of it is smooth over two edges; gauss: of each vertex's own; "
+                   "scanner: structured light, alike over three edges, with steps of depth of "
+                   "twice the deviation")
+      ->check(CLI::IsMember({"range", "gauss", "scanner"}))
+      ->capture_default_str()
+      ->needs(noise);
   command->add_flag("--json", options->json, "Print the result as JSON");
   command->footer(kinds);
 }

@@ -8,6 +8,7 @@
 #include "common/generate/generate_kinds.h"
 #include "common/generate/lattice.h"
 #include "common/generate/scanner.h"
+#include "common/generate/surface_noise.h"
 
 namespace burnish {
 namespace {
@@ -67,6 +68,9 @@ const std::vector<Recipe>& recipes() {
       {{"part", "machined part: flat faces, sharp edges, a boss and a through hole"},
        60,
        generate_part},
+      {{"coin", "struck coin: a raised rim and lines of letters with steep flanks on a dome"},
+       400,
+       generate_coin},
       {{"wall", "thin wall from tomography: torn, with specks and non-manifold edges"},
        500,
        generate_wall},
@@ -85,18 +89,18 @@ const std::vector<GeneratedScanKind>& generated_scan_kinds() {
   return kinds;
 }
 
+Result<NoiseKind> parse_noise_kind(std::string_view word) {
+  if (word == "range") return NoiseKind::kRange;
+  if (word == "gauss") return NoiseKind::kGauss;
+  if (word == "scanner") return NoiseKind::kScanner;
+  return invalid_argument("noise '" + std::string(word) + "' is not range, gauss or scanner");
+}
+
 static Status unknown_kind(const std::string& kind) {
   std::string names;
   for (const Recipe& recipe : recipes())
     names += (names.empty() ? "" : ", ") + std::string(recipe.kind.name);
   return invalid_argument("unknown kind of scan '" + kind + "'; the kinds are " + names);
-}
-
-static double mean_edge(const TriangleMesh& mesh) {
-  double sum = 0;
-  for (const Triangle& t : mesh.triangles)
-    for (int i = 0; i < 3; ++i) sum += (mesh.vertices[t[(i + 1) % 3]] - mesh.vertices[t[i]]).norm();
-  return sum / (3 * static_cast<double>(mesh.triangles.size()));
 }
 
 // Scanners interpolate and average, so half of the noise's power is smooth over two edges.
@@ -107,8 +111,23 @@ ScannerNoise wanted_noise(const TriangleMesh& mesh, const GeneratedScan& wanted,
   return {.white = part, .correlated = part, .correlation_length = 2 * edge};
 }
 
+// Adds a noise that no kind has by itself to the clean surface.
+static TriangleMesh made_with_noise(const Recipe& recipe, const GeneratedScan& wanted) {
+  GeneratedScan clean = wanted;
+  clean.noise = 0;
+  TriangleMesh mesh = recipe.make(clean);
+  if (wanted.noise_kind == NoiseKind::kGauss)
+    add_white_noise(mesh, *wanted.noise, wanted.seed);
+  else
+    add_structured_light_noise(mesh, *wanted.noise, wanted.seed);
+  round_to_float(mesh);
+  return mesh;
+}
+
 // Exact shapes keep their double positions if they get no noise.
 static TriangleMesh made(const Recipe& recipe, const GeneratedScan& wanted) {
+  if (wanted.noise.value_or(0) != 0 && wanted.noise_kind != NoiseKind::kRange)
+    return made_with_noise(recipe, wanted);
   TriangleMesh mesh = recipe.make(wanted);
   if (recipe.has_own_noise || wanted.noise.value_or(0) == 0) return mesh;
   add_scanner_noise(mesh, wanted_noise(mesh, wanted, {}), wanted.seed);

@@ -11,6 +11,14 @@
 
 namespace burnish {
 
+/// What kind of noise a generated scan gets.
+enum class NoiseKind {
+  kRange,    ///< a range scanner's: half of its power is smooth over two edges
+  kGauss,    ///< Gaussian, of each vertex's own
+  kScanner,  ///< structured light: alike over three edges, and steps of depth of twice its
+             ///< deviation
+};
+
 /// A scan that the program generates, for demos, tests and benchmarks.
 struct GeneratedScan {
   std::string kind;             ///< one of generated_scan_kinds()
@@ -20,6 +28,7 @@ struct GeneratedScan {
   /// the kind has by itself; a wall keeps its densities'. Same vertices and triangles for every
   /// noise.
   std::optional<double> noise = {};
+  NoiseKind noise_kind = NoiseKind::kRange;  ///< of `noise`
 };
 
 inline constexpr double kScannerNoiseMax = 1;  ///< over the mean edge
@@ -29,12 +38,15 @@ struct GeneratedScanKind {
   std::string_view description;  ///< one line for the help text
 };
 
-/// tablet, icosphere, cylinder, sheet, blob, sheets, fan, soup, part, wall (docs/benchmarks.md,
-/// "The scans").
+/// tablet, icosphere, cylinder, sheet, blob, sheets, fan, soup, part, coin, wall
+/// (docs/benchmarks.md, "The scans").
 const std::vector<GeneratedScanKind>& generated_scan_kinds();
 
+/// Returns the kind of noise of this word: range, gauss or scanner. Fails: invalid_argument.
+Result<NoiseKind> parse_noise_kind(std::string_view word);
+
 /// Generates a valid, consistently oriented mesh; closed meshes face outwards. The exact shapes
-/// (icosphere, cylinder, sheet, part) keep double positions; the others are rounded to float.
+/// (icosphere, cylinder, sheet, part, coin) keep double positions; the others are rounded to float.
 /// Fails: invalid_argument for an unknown kind, a count outside the kind's limits, or noise outside
 /// 0 to kScannerNoiseMax.
 Result<TriangleMesh> generate_scan(const GeneratedScan& scan);

@@ -19,6 +19,7 @@ TriangleMesh generate_sheets(const GeneratedScan& wanted);
 TriangleMesh generate_fan(const GeneratedScan& wanted);
 TriangleMesh generate_soup(const GeneratedScan& wanted);
 TriangleMesh generate_part(const GeneratedScan& wanted);
+TriangleMesh generate_coin(const GeneratedScan& wanted);
 TriangleMesh generate_wall(const GeneratedScan& wanted);
 
 /// Returns the noise that the scan says, in the mesh's units, or the kind's own.

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <string_view>
 
+#include "common/generate/stroke_letters.h"
+
 namespace burnish {
 namespace {
 
 using Vec2d = Eigen::Vector2d;
-using Polyline = std::vector<Vec2d>;
 
 const Vec2d kInscriptionAt(-140, -72);
 constexpr double kInscriptionHeight = 34, kInscriptionWidth = 188;
@@ -16,45 +17,6 @@ struct Chisel {
   double half_width, depth;
 };
 constexpr Chisel kWall{4.2, 3.6}, kThin{3.0, 2.4}, kLetter{3.4, 2.8}, kDrill{5.2, 4.0};
-
-/// Draws the right half of a circle from below to above; without libm, see noise.h.
-Polyline half_circle(const Vec2d& centre, double radius, int pieces) {
-  Polyline points;
-  for (int i = 0; i <= pieces; ++i) {
-    const double t = 2.0 * i / pieces - 1;  // tangent of half the angle
-    points.push_back(centre + radius * Vec2d(1 - t * t, 2 * t) / (1 + t * t));
-  }
-  return points;
-}
-
-Polyline mirrored(Polyline line, double x) {
-  for (Vec2d& p : line) p.x() = 2 * x - p.x();
-  return line;
-}
-
-/// Returns the strokes of a capital of height 1 on a base line at 0. Knows only the letters of the
-/// inscription.
-std::vector<Polyline> letter(char c) {
-  switch (c) {
-    case 'A':
-      return {{{0, 0}, {0.36, 1}, {0.72, 0}}, {{0.14, 0.36}, {0.58, 0.36}}};
-    case 'E':
-      return {{{0.55, 1}, {0, 1}, {0, 0}, {0.55, 0}}, {{0, 0.52}, {0.45, 0.52}}};
-    case 'H':
-      return {{{0, 0}, {0, 1}}, {{0.66, 0}, {0.66, 1}}, {{0, 0.52}, {0.66, 0.52}}};
-    case 'O': {
-      const Polyline right = half_circle({0.46, 0.5}, 0.46, 10);
-      return {right, mirrored(right, 0.46)};
-    }
-    case 'R': {
-      Polyline bowl = half_circle({0.32, 0.755}, 0.245, 8);
-      bowl.insert(bowl.begin(), Vec2d(0, 0.51));
-      bowl.insert(bowl.end(), {Vec2d(0, 1), Vec2d(0, 0)});
-      return {bowl, {{0.3, 0.51}, {0.64, 0}}};
-    }
-  }
-  return {};
-}
 
 /// Collects grooves; every call draws one part of the plan.
 class Draughtsman {
@@ -88,19 +50,9 @@ class Draughtsman {
       line(kThin, {{left, y}, {right, y}});
     }
   }
-  void inscription(std::string_view text, Vec2d at, double height) {
+  void inscription(std::string_view text, const Vec2d& at, double height) {
     constexpr double kGap = 0.28;  // between letters, of the height
-    for (char c : text) {
-      double width = 0;
-      for (Polyline stroke : letter(c)) {
-        for (Vec2d& p : stroke) {
-          width = std::max(width, p.x());
-          p = at + height * p;
-        }
-        line(kLetter, stroke);
-      }
-      at.x() += height * (width + kGap);
-    }
+    for (const Polyline& stroke : strokes_of(text, at, height, kGap)) line(kLetter, stroke);
   }
   std::vector<Groove> grooves() const { return grooves_; }
 
@@ -140,13 +92,6 @@ Eigen::AlignedBox2d inscription_box() {
   const Vec2d margin = Vec2d::Constant(2 * kLetter.half_width);
   const Vec2d size(kInscriptionWidth, kInscriptionHeight);
   return {kInscriptionAt - margin, kInscriptionAt + size + margin};
-}
-
-static double distance_to_segment(const Vec2d& p, const Vec2d& a, const Vec2d& b) {
-  const Vec2d along = b - a;
-  const double length2 = along.squaredNorm();
-  const double t = length2 > 0 ? std::clamp((p - a).dot(along) / length2, 0.0, 1.0) : 0.0;
-  return (p - a - t * along).norm();
 }
 
 double groove_depth(const std::vector<Groove>& grooves, const Vec2d& p) {

@@ -165,6 +165,72 @@ TEST(GeneratedScan, RefusesNoiseOutsideItsLimits) {
   EXPECT_THAT(message, AllOf(HasSubstr("1.5"), HasSubstr("0..1")));
 }
 
+double deviation_over_edge(const GeneratedScan& noisy) {
+  GeneratedScan clean = noisy;
+  clean.noise = 0;
+  const TriangleMesh before = *generate_scan(clean), after = *generate_scan(noisy);
+  double squares = 0;
+  for (size_t v = 0; v < before.vertices.size(); ++v)
+    squares += (after.vertices[v] - before.vertices[v]).squaredNorm();
+  return std::sqrt(squares / static_cast<double>(before.vertices.size())) /
+         compute_statistics(before).mean_edge_length;
+}
+
+TEST(GeneratedScan, WhiteNoiseHasItsDeviation) {
+  EXPECT_NEAR(deviation_over_edge({"icosphere", 40'962, 1, 0.2, NoiseKind::kGauss}), 0.2, 0.003);
+  EXPECT_NEAR(deviation_over_edge({"part", 20'000, 1, 0.1, NoiseKind::kGauss}), 0.1, 0.005);
+}
+
+TEST(GeneratedScan, NoiseOfStructuredLightHasItsDeviationAndSteps) {
+  const double steps = 0.3 / std::sqrt(12);  // of an even spread over a step
+  EXPECT_NEAR(deviation_over_edge({"icosphere", 40'962, 1, 0.15, NoiseKind::kScanner}),
+              std::hypot(0.15, steps), 0.01);
+}
+
+TEST(GeneratedScan, NoiseLeavesNoGapBetweenTrianglesOfASoup) {
+  const auto with = [](NoiseKind kind) {
+    return compute_statistics(*generate_scan({"soup", 3600, 1, 0.1, kind}));
+  };
+  const auto clean = compute_statistics(*generate_scan({"soup", 3600, 1, 0.0}));
+  for (const NoiseKind kind : {NoiseKind::kGauss, NoiseKind::kScanner}) {
+    EXPECT_EQ(with(kind).boundary_edges, clean.boundary_edges);
+    EXPECT_EQ(with(kind).components, clean.components);
+  }
+}
+
+TEST(GeneratedScan, NoiseHasTheSameBitsOnEveryMachine) {
+  EXPECT_EQ(hash_of(*generate_scan({"part", 2000, 1, 0.2, NoiseKind::kGauss})), 0xf5552afdf434e303);
+  EXPECT_EQ(hash_of(*generate_scan({"coin", 2500, 1, 0.15, NoiseKind::kScanner})),
+            0x93536cdfd0dd6a75);
+}
+
+TEST(GeneratedScan, NoiseHasAWord) {
+  EXPECT_EQ(*parse_noise_kind("gauss"), NoiseKind::kGauss);
+  EXPECT_EQ(*parse_noise_kind("scanner"), NoiseKind::kScanner);
+  EXPECT_EQ(*parse_noise_kind("range"), NoiseKind::kRange);
+  EXPECT_THAT(parse_noise_kind("pink").status().message(), HasSubstr("'pink'"));
+}
+
+TEST(GeneratedCoin, LettersRiseOverTheField) {
+  const TriangleMesh coin = generate("coin", 40'000);
+  EXPECT_EQ(compute_statistics(coin).components, 1);
+  EXPECT_TRUE(is_consistently_oriented(coin));
+  const auto relief = [](const Vec3d& p) {
+    return p.z() - 0.06 * (1 - 2 * (p.head<2>() - Eigen::Vector2d(0.5, 0.5)).squaredNorm());
+  };
+  double level = 0, raised = 0, letters = 0;
+  for (const Vec3d& p : coin.vertices) {
+    EXPECT_GT(relief(p), -1e-12);
+    EXPECT_LT(relief(p), 0.035 + 1e-12);
+    level += relief(p) < 1e-6;
+    raised += relief(p) > 0.034;
+    letters += relief(p) > 0.015 && p.y() > 0.55 && p.y() < 0.8 && p.x() > 0.2 && p.x() < 0.8;
+  }
+  EXPECT_GT(level, 0.5 * 40'000);
+  EXPECT_GT(raised, 0.05 * 40'000);
+  EXPECT_GT(letters, 0.02 * 40'000);
+}
+
 TEST(GeneratedTablet, LettersAreCutAsDeepAsTheyAreSaidToBe) {
   const TriangleMesh mesh = *generate_scan({"tablet", 100'000, 1, 0.0});
   const TabletStone stone = generated_tablet_stone(1);
