@@ -1,0 +1,186 @@
+// Measures denoising that keeps edges: errors of normals and places for each shape, noise and
+// preset, triangles that turn over on odd scans, and CPU seconds. denoise_bench [--out FOLDER]
+// [MESH]... Mesh files are tried as odd scans.
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/base/parallel.h"
+#include "common/denoise/denoise.h"
+#include "common/denoise/normal_filter.h"
+#include "common/denoise/normal_layer.h"
+#include "common/generate/generate.h"
+#include "common/mesh/mesh_io.h"
+#include "tests/bench/report.h"
+#include "tests/bench/timing.h"
+#include "tests/common/denoise/shape_error.h"
+
+namespace burnish {
+namespace {
+
+struct Arguments {
+  std::string out;
+  std::vector<std::string> meshes;
+};
+
+/// A clean shape, and what noise it gets.
+struct Case {
+  const char* kind;
+  uint64_t vertices;
+  const char* noise;
+  double deviation;  // over the mean edge
+};
+constexpr Case kCases[] = {
+    {"part", 7000, "gauss", 0.1},     {"part", 7000, "gauss", 0.2},
+    {"part", 7000, "gauss", 0.3},     {"part", 7000, "scanner", 0.15},
+    {"coin", 14400, "gauss", 0.1},    {"coin", 14400, "gauss", 0.2},
+    {"coin", 14400, "scanner", 0.15}, {"icosphere", 10242, "gauss", 0.2},
+    {"blob", 12000, "gauss", 0.2},
+};
+
+double cpu_seconds() {
+  timespec time;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// Seconds of a piece of work, by all processors and on the clock.
+struct Cost {
+  double cpu = 0, wall = 0;
+};
+
+template <typename Work>
+Cost cost_of(const Work& work) {
+  const double before = cpu_seconds();
+  const double wall = milliseconds(work) * 1e-3;
+  return {cpu_seconds() - before, wall};
+}
+
+TriangleMesh shape_of(const Case& of, double deviation) {
+  return *generate_scan({of.kind, of.vertices, 1, deviation, *parse_noise_kind(of.noise)});
+}
+
+void add_error(const Case& of, const std::string& method, const TriangleMesh& clean,
+               const TriangleMesh& noisy, const TriangleMesh& mesh, double seconds,
+               BenchTable& table) {
+  const ShapeError error = shape_error(clean, mesh);
+  table.add({std::string(of.kind), of.noise + std::string(" ") + in_words("%g", of.deviation),
+             method, error.angle, error.distance, error.volume, 100 * turned_share(noisy, mesh),
+             1e6 * seconds / static_cast<double>(mesh.triangles.size())});
+}
+
+Status report_case(const Case& of, BenchTable& table) {
+  const TriangleMesh clean = shape_of(of, 0), noisy = shape_of(of, of.deviation);
+  add_error(of, "noisy", clean, noisy, noisy, 0, table);
+  for (const DenoisePreset& preset : denoise_presets()) {
+    std::vector<Vec3f> layer;
+    Status status;
+    const Cost cost = cost_of([&] {
+      auto surface = make_denoise_surface(noisy);
+      auto made = surface.is_ok() ? denoise_layer(**surface, preset.options) : surface.status();
+      status = made.status();
+      if (made.is_ok()) layer = *std::move(made);
+    });
+    RETURN_IF_ERROR(status);
+    add_error(of, std::string(preset.name), clean, noisy, moved(noisy, layer), cost.cpu, table);
+  }
+  return Status::ok();
+}
+
+Status report_odd(const std::string& name, const TriangleMesh& mesh, BenchTable& table) {
+  ASSIGN_OR_RETURN(const auto surface, make_denoise_surface(mesh));
+  for (const DenoisePreset& preset : denoise_presets()) {
+    ASSIGN_OR_RETURN(const std::vector<Vec3f> layer, denoise_layer(*surface, preset.options));
+    const auto infinite = std::count_if(layer.begin(), layer.end(),
+                                        [](const Vec3f& move) { return !move.allFinite(); });
+    table.add({name, std::string(preset.name), static_cast<double>(mesh.triangles.size()),
+               static_cast<double>(infinite), 100 * turned_share(mesh, moved(mesh, layer))});
+  }
+  return Status::ok();
+}
+
+void report_steps(NormalFilterKind kind, const DenoiseSurface& surface, double millions,
+                  BenchTable& table) {
+  const auto add = [&](const char* step, const Cost& cost) {
+    table.add(
+        {std::string(name_of(kind)), std::string(step), cost.cpu / millions, cost.wall / millions});
+  };
+  std::optional<NormalFilter> filter;
+  add("weights", cost_of([&] { filter.emplace(surface.welded, surface.rings, kind, 0.3); }));
+  add("pass", cost_of([&] { filter->pass(); }));
+  add("layer", cost_of([&] { normal_layer(surface.welded, filter->normals(), 1); }));
+  for (const DenoisePreset& preset : denoise_presets())
+    if (preset.options.kind == kind)
+      add(std::string(preset.name).c_str(), cost_of([&] {
+            BURNISH_CHECK(denoise_layer(surface, preset.options).is_ok(), "the layer is made");
+          }));
+}
+
+Status report_times(BenchTable& table) {
+  ASSIGN_OR_RETURN(const TriangleMesh mesh, generate_scan({"tablet", 500'000, 1, 0.2}));
+  const double millions = 1e-6 * static_cast<double>(mesh.triangles.size());
+  std::shared_ptr<const DenoiseSurface> surface;
+  const Cost made = cost_of([&] { surface = *make_denoise_surface(mesh); });
+  table.add({std::string("both"), std::string("rings"), made.cpu / millions, made.wall / millions});
+  for (const auto kind : {NormalFilterKind::kBilateral, NormalFilterKind::kEdges})
+    report_steps(kind, *surface, millions, table);
+  return Status::ok();
+}
+
+Status report_all(const Arguments& arguments, BenchReport& report) {
+  BenchTable& errors = report.add_table("errors", {{"shape", "", 10},
+                                                   {"noise", "", 13},
+                                                   {"method", "", 26},
+                                                   {"angle_degrees", "%.2f"},
+                                                   {"rms_edges", "%.3f"},
+                                                   {"volume_percent", "%.2f"},
+                                                   {"turned_percent", "%.3f"},
+                                                   {"cpu_s_per_million", "%.2f"}});
+  for (const Case& of : kCases) RETURN_IF_ERROR(report_case(of, errors));
+  BenchTable& odd = report.add_table("odd scans", {{"scan", "", 18},
+                                                   {"method", "", 26},
+                                                   {"triangles", "%.0f"},
+                                                   {"infinite_moves", "%.0f"},
+                                                   {"turned_percent", "%.4f"}});
+  for (const char* kind : {"wall", "soup", "fan", "sheets"}) {
+    ASSIGN_OR_RETURN(const TriangleMesh mesh, generate_scan({kind, 50'000}));
+    RETURN_IF_ERROR(report_odd(kind, mesh, odd));
+  }
+  for (const std::string& path : arguments.meshes) {
+    ASSIGN_OR_RETURN(const TriangleMesh mesh, read_mesh(path));
+    RETURN_IF_ERROR(report_odd(std::filesystem::path(path).stem(), mesh, odd));
+  }
+  report.remark(std::to_string(thread_count()) + " threads");
+  RETURN_IF_ERROR(report_times(report.add_table(
+      "seconds per million triangles",
+      {{"filter", "", 10}, {"step", "", 26}, {"cpu_seconds", "%.3f"}, {"seconds", "%.3f"}})));
+  return arguments.out.empty() ? Status::ok() : report.write(arguments.out);
+}
+
+Arguments parsed(int count, char** words) {
+  Arguments arguments;
+  for (int i = 1; i < count; ++i) {
+    if (words[i] == std::string_view("--out") && i + 1 < count)
+      arguments.out = words[++i];
+    else
+      arguments.meshes.emplace_back(words[i]);
+  }
+  return arguments;
+}
+
+}  // namespace
+}  // namespace burnish
+
+int main(int count, char** words) {
+  burnish::BenchReport report("denoise_bench");
+  const burnish::Status status = report_all(burnish::parsed(count, words), report);
+  if (!status.is_ok()) std::fprintf(stderr, "denoise_bench: %s\n", status.message().c_str());
+  return status.is_ok() ? 0 : 1;
+}
