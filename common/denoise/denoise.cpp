@@ -30,7 +30,7 @@ std::vector<Vec3f> filtered_layer(const DenoiseSurface& surface, const DenoiseOp
     filter.pass(normals.of(0.1 + 0.9 * done, 0.1 + 0.9 * then));
     if (shown) shown(pass + 1, filter.normals());
   }
-  return normal_layer(surface.welded, filter.normals(), options.cap, space, layer);
+  return normal_layer(surface.welded, filter.normals(), {.cap = options.cap}, space, layer);
 }
 
 }  // namespace

@@ -13,12 +13,18 @@ namespace burnish {
 static constexpr double kBilateralReach = 1, kGuidedReach = 2;
 static constexpr float kGuideSharpness = 20;  // 1/τ of unevenness
 
+static float steepness_of(double sigma) {
+  return static_cast<float>(1 / (sigma * sigma));
+}
+
 NormalFilter::NormalFilter(const WeldedSurface& surface, const TriangleRings& rings,
                            NormalFilterKind kind, double sigma, const ScratchSpace& space,
                            const LoopPart& part)
-    : rings_(rings),
+    : surface_(surface),
+      rings_(rings),
+      space_(space),
       is_guided_(kind == NormalFilterKind::kEdges),
-      steepness_(static_cast<float>(1 / (sigma * sigma))),
+      steepness_(steepness_of(sigma)),
       now_(triangle_normals(surface, space, part.of(0, 0.2))),
       next_(space, rings.size()),
       guides_(space, is_guided_ ? rings.size() : 0),
@@ -26,6 +32,11 @@ NormalFilter::NormalFilter(const WeldedSurface& surface, const TriangleRings& ri
       nearness_(ring_nearness(surface, rings, {now_.data(), now_.size()},
                               is_guided_ ? kGuidedReach : kBilateralReach, space,
                               part.of(0.2, 1))) {}
+
+void NormalFilter::restart(double sigma, const LoopPart& part) {
+  now_ = triangle_normals(surface_, space_, part);
+  steepness_ = steepness_of(sigma);
+}
 
 void NormalFilter::make_guides(const LoopPart& part) {
   const RingField field = {rings_.starts(), rings_.triangles(), now_.data()};

@@ -21,6 +21,10 @@ class NormalFilter {
   NormalFilter(const WeldedSurface& surface, const TriangleRings& rings, NormalFilterKind kind,
                double sigma, const ScratchSpace& space = {}, const LoopPart& part = kUnheardLoop);
 
+  /// Begins anew with the normals of the triangles and another σ. It keeps the weights of places,
+  /// which take longer than a pass. Throws: WorkCancelled; the filter is then as it was.
+  void restart(double sigma, const LoopPart& part = kUnheardLoop);
+
   /// Throws: WorkCancelled; the normals are then those of before.
   void pass(const LoopPart& part = kUnheardLoop);
 
@@ -30,9 +34,11 @@ class NormalFilter {
  private:
   void make_guides(const LoopPart& part);
 
+  const WeldedSurface& surface_;
   const TriangleRings& rings_;
+  const ScratchSpace space_;
   const bool is_guided_;
-  const float steepness_;  // 1/σ²
+  float steepness_;  // 1/σ²
   ScratchArray<NormalAndArea> now_, next_;
   ScratchArray<Float4> guides_, measured_;  // empty without guides
   ScratchArray<float> nearness_;

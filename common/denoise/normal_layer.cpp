@@ -5,25 +5,13 @@
 
 #include "common/denoise/heard_blocks.h"
 #include "common/denoise/layer_steps.h"
+#include "common/denoise/mean_side.h"
 
 namespace burnish {
 namespace {
 
-constexpr int kUpdates = 20;
 constexpr float kAreaMin = 1e-30f;  // of the mean one: a place of less stays
 constexpr int kGuardRounds = 4;     // corners that stay may turn other triangles
-
-/// Returns the mean side of the surface's triangles, file units.
-double mean_side(const WeldedSurface& surface, const LoopPart& part) {
-  size_t count = 0;
-  for (size_t t = 0; t < surface.triangle_count(); ++t) count += surface.is_surface(t);
-  const double sum = heard_sum(part, surface.triangle_count(), [&](size_t t) {
-    if (!surface.is_surface(t)) return 0.0;
-    const auto [a, b, c] = corners_of(surface.mesh(), t);
-    return ((b - a).norm() + (c - b).norm() + (a - c).norm()) / 3;
-  });
-  return sum > 0 ? sum / static_cast<double>(count) : 1;
-}
 
 /// The arrays of a LayerField.
 class Layer {
@@ -126,14 +114,15 @@ void share_moves(const WeldedSurface& surface, std::vector<Vec3f>& moves, const 
 }  // namespace
 
 std::vector<Vec3f> normal_layer(const WeldedSurface& surface,
-                                std::span<const NormalAndArea> normals, double cap,
+                                std::span<const NormalAndArea> normals, const LayerOptions& options,
                                 const ScratchSpace& space, const LoopPart& part) {
   Layer layer(surface, normals, space, part.of(0, 0.1));
-  for (int i = 0; i < kUpdates; ++i)
-    layer.update(part.of(0.1 + 0.7 * i / kUpdates, 0.1 + 0.7 * (i + 1) / kUpdates));
+  const LoopPart updates = part.of(0.1, 0.8);
+  for (double i = 0; i < options.updates; ++i)
+    layer.update(updates.of(i / options.updates, (i + 1) / options.updates));
   std::vector<Vec3f> moves(surface.vertex_count());
   parallel_for_heard(part.of(0.8, 0.85), moves.size(),
-                     [&](size_t v) { moves[v] = capped(layer.move(v), cap); });
+                     [&](size_t v) { moves[v] = capped(layer.move(v), options.cap); });
   guard(surface, moves, space, part.of(0.85, 0.97));
   share_moves(surface, moves, part.of(0.97, 1));
   return moves;

@@ -16,11 +16,9 @@ static Vec3d doubled_area(const WeldedSurface& surface, size_t t) {
 ScratchArray<NormalAndArea> triangle_normals(const WeldedSurface& surface,
                                              const ScratchSpace& space, const LoopPart& part) {
   const size_t count = surface.triangle_count();
-  size_t kept = 0;
-  for (size_t t = 0; t < count; ++t) kept += surface.is_surface(t);
   const double sum =
       heard_sum(part.of(0, 0.4), count, [&](size_t t) { return doubled_area(surface, t).norm(); });
-  const double mean = sum / static_cast<double>(kept);
+  const double mean = sum / static_cast<double>(surface.surface_count());
   ScratchArray<NormalAndArea> normals(space, count);
   parallel_for_heard(part.of(0.4, 1), count, [&](size_t t) {
     const Vec3d doubled = doubled_area(surface, t);

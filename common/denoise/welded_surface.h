@@ -42,6 +42,8 @@ class WeldedSurface {
   const uint64_t* fan_starts() const { return fan_start_.data(); }
   const uint32_t* fans() const { return fans_.data(); }
   uint64_t incidence_count() const { return fans_.size(); }
+  /// Returns how many triangles make up the surface.
+  uint64_t surface_count() const { return fans_.size() / 3; }
 
  private:
   void join(const ScratchSpace& space, const LoopPart& part);

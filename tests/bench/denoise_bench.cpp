@@ -114,8 +114,11 @@ void report_steps(NormalFilterKind kind, const DenoiseSurface& surface, double m
   };
   std::optional<NormalFilter> filter;
   add("weights", cost_of([&] { filter.emplace(surface.welded, surface.rings, kind, 0.3); }));
+  add("restart", cost_of([&] { filter->restart(0.35); }));
   add("pass", cost_of([&] { filter->pass(); }));
-  add("layer", cost_of([&] { normal_layer(surface.welded, filter->normals(), 1); }));
+  add("layer of 5 updates",
+      cost_of([&] { normal_layer(surface.welded, filter->normals(), {.updates = 5}); }));
+  add("layer", cost_of([&] { normal_layer(surface.welded, filter->normals()); }));
   for (const DenoisePreset& preset : denoise_presets())
     if (preset.options.kind == kind)
       add(std::string(preset.name).c_str(), cost_of([&] {

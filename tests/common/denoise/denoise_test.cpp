@@ -1,5 +1,7 @@
 #include "common/denoise/denoise.h"
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 #include <gmock/gmock.h>
@@ -71,6 +73,44 @@ TEST(Denoise, OddMeshesHaveAFiniteLayer) {
       EXPECT_EQ(moves.size(), mesh.vertices.size());
       EXPECT_TRUE(are_finite(moves)) << preset.name;
     }
+}
+
+/// Measures what a preset leaves of a noise, with the noise of `deviation` mean edges.
+ShapeError error_of(const DenoisePreset& preset, const std::string& kind, uint64_t vertices,
+                    double deviation, NoiseKind noise) {
+  const TriangleMesh clean = *generate_scan({kind, vertices, 1, 0.0});
+  const TriangleMesh noisy = *generate_scan({kind, vertices, 1, deviation, noise});
+  return shape_error(clean, moved(noisy, layer_of(noisy, preset.options)));
+}
+
+TEST(Denoise, AMachinedPartIsWithinItsBars) {
+  for (const uint64_t vertices : {3000, 7000}) {
+    const ShapeError error =
+        error_of(denoise_presets()[0], "part", vertices, 0.2, NoiseKind::kGauss);
+    EXPECT_LT(error.angle, vertices == 7000 ? 1.8 : 2.4);  // 22 before
+    EXPECT_LT(error.distance, 0.05);
+    EXPECT_LT(std::abs(error.volume), 0.3);
+  }
+}
+
+TEST(Denoise, APartUnderStructuredLightIsWithinItsBars) {
+  const ShapeError error = error_of(denoise_presets()[1], "part", 7000, 0.15, NoiseKind::kScanner);
+  EXPECT_LT(error.angle, 2.8);  // 10 before
+  EXPECT_LT(error.distance, 0.1);
+}
+
+TEST(Denoise, ACoinKeepsItsLettersAndLosesNoise) {
+  const DenoisePreset& relief = denoise_presets()[3];
+  EXPECT_LT(error_of(relief, "coin", 6400, 0.1, NoiseKind::kGauss).angle, 8.0);  // 11 before
+  EXPECT_LT(error_of(relief, "coin", 14'400, 0.1, NoiseKind::kGauss).angle, 6.0);
+  EXPECT_LT(error_of(relief, "coin", 14'400, 0.15, NoiseKind::kScanner).angle, 8.0);
+}
+
+TEST(Denoise, ASphereIsRound) {
+  const ShapeError error =
+      error_of(denoise_presets()[1], "icosphere", 10'242, 0.2, NoiseKind::kGauss);
+  EXPECT_LT(error.angle, 1);  // 19 before
+  EXPECT_LT(error.distance, 0.04);
 }
 
 TEST(Denoise, TurnsHardlyATriangleOver) {

@@ -108,6 +108,22 @@ TEST(NormalFilter, RoundingChoosesNoOtherRing) {
     EXPECT_LT(largest_angle(filtered(mesh, kind, 10), filtered(near, kind, 10)), 0.05);
 }
 
+TEST(NormalFilter, ARestartIsLikeANewFilter) {
+  const TriangleMesh mesh = *generate_scan({"blob", 1000});
+  const Prepared prepared(mesh);
+  for (const NormalFilterKind kind : kKinds) {
+    NormalFilter used(prepared.surface, prepared.rings, kind, 0.6);
+    used.pass();
+    used.restart(0.3);
+    used.pass();
+    NormalFilter fresh(prepared.surface, prepared.rings, kind, 0.3);
+    fresh.pass();
+    EXPECT_EQ(
+        std::memcmp(used.normals().data(), fresh.normals().data(), fresh.normals().size_bytes()),
+        0);
+  }
+}
+
 TEST(NormalFilter, HearsACancelAndKeepsItsNormals) {
   const TriangleMesh mesh = *generate_scan({"blob", 1000});
   const Prepared prepared(mesh);

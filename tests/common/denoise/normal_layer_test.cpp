@@ -1,6 +1,6 @@
 #include "common/denoise/normal_layer.h"
 
-#include <limits>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,6 @@
 namespace burnish {
 namespace {
 
-constexpr double kNoCap = std::numeric_limits<double>::infinity();
-
 /// All triangles look up.
 ScratchArray<NormalAndArea> upward(const WeldedSurface& surface) {
   ScratchArray<NormalAndArea> normals = triangle_normals(surface);
@@ -21,10 +19,10 @@ ScratchArray<NormalAndArea> upward(const WeldedSurface& surface) {
   return normals;
 }
 
-std::vector<Vec3f> layer(const TriangleMesh& mesh, double cap = kNoCap) {
+std::vector<Vec3f> layer(const TriangleMesh& mesh, const LayerOptions& options = {}) {
   const WeldedSurface surface(mesh);
   const auto normals = upward(surface);
-  return normal_layer(surface, {normals.data(), normals.size()}, cap);
+  return normal_layer(surface, {normals.data(), normals.size()}, options);
 }
 
 TriangleMesh rough_sheet() {
@@ -53,12 +51,22 @@ TEST(NormalLayer, MovesVerticesUntilTrianglesHaveTheNormals) {
   EXPECT_LT(roughness(moved(sheet, moves)), 0.3 * roughness(sheet));
 }
 
+TEST(NormalLayer, IsNearerToTheNormalsWithMoreUpdates) {
+  const TriangleMesh sheet = rough_sheet();
+  double before = roughness(sheet);
+  for (const int updates : {1, 5, 20}) {
+    const double after = roughness(moved(sheet, layer(sheet, {.updates = updates})));
+    EXPECT_LT(after, 0.9 * before) << updates;
+    before = after;
+  }
+}
+
 TEST(NormalLayer, MovesNoVertexFurtherThanTheCap) {
   double longest = 0;
-  for (const Vec3f& move : layer(rough_sheet(), 0.05))
+  for (const Vec3f& move : layer(rough_sheet(), {.cap = 0.05}))
     longest = std::max<double>(longest, move.norm());
   EXPECT_NEAR(longest, 0.05, 1e-6);
-  for (const Vec3f& move : layer(rough_sheet(), 0)) EXPECT_EQ(move, Vec3f(0, 0, 0));
+  for (const Vec3f& move : layer(rough_sheet(), {.cap = 0})) EXPECT_EQ(move, Vec3f(0, 0, 0));
 }
 
 TEST(NormalLayer, VerticesAtOnePlaceMoveAlike) {
@@ -82,7 +90,7 @@ TEST(NormalLayer, TrianglesThatWouldTurnKeepTheirCorners) {
   const WeldedSurface surface(mesh);
   auto normals = triangle_normals(surface);
   normals[1] = NormalAndArea{0, 0.8f, 0.6f, normals[1][3]};
-  const std::vector<Vec3f> moves = normal_layer(surface, {normals.data(), normals.size()}, kNoCap);
+  const std::vector<Vec3f> moves = normal_layer(surface, {normals.data(), normals.size()});
   EXPECT_EQ(moves[2], Vec3f(0, 0, 0));
   EXPECT_GT(moves[3].y(), 0.4);
   EXPECT_EQ(turned_share(mesh, moved(mesh, moves)), 0);
@@ -94,10 +102,10 @@ TEST(NormalLayer, HasTheSameBitsForAnyNumberOfThreads) {
   const auto normals = upward(surface);
   const int before = thread_count();
   use_threads(1);
-  const auto expected = normal_layer(surface, {normals.data(), normals.size()}, kNoCap);
+  const auto expected = normal_layer(surface, {normals.data(), normals.size()});
   for (const int threads : {2, 3}) {
     use_threads(threads);
-    EXPECT_EQ(normal_layer(surface, {normals.data(), normals.size()}, kNoCap), expected);
+    EXPECT_EQ(normal_layer(surface, {normals.data(), normals.size()}), expected);
   }
   use_threads(before);
 }
@@ -107,9 +115,8 @@ TEST(NormalLayer, HearsACancel) {
   const WeldedSurface surface(mesh);
   const auto normals = upward(surface);
   const Progress cancel = [](std::string_view, double) { return false; };
-  EXPECT_THROW(
-      normal_layer(surface, {normals.data(), normals.size()}, kNoCap, {}, {cancel, "layer"}),
-      WorkCancelled);
+  EXPECT_THROW(normal_layer(surface, {normals.data(), normals.size()}, {}, {}, {cancel, "layer"}),
+               WorkCancelled);
 }
 
 }  // namespace
