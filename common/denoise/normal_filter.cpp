@@ -11,7 +11,7 @@ namespace burnish {
 // Of the mean distance of centres. A guided triangle does not stray over edges, so it looks
 // further.
 static constexpr double kBilateralReach = 1, kGuidedReach = 2;
-static constexpr float kGuideSharpness = 20;  // 1/τ of unevenness
+static constexpr float kGuideSharpness = 5;  // 1/τ of unevenness; below 2 edges melt
 
 static float steepness_of(double sigma) {
   return static_cast<float>(1 / (sigma * sigma));
