@@ -164,7 +164,9 @@ Status report_all(const Arguments& arguments, BenchReport& report) {
   RETURN_IF_ERROR(report_times(report.add_table(
       "seconds per million triangles",
       {{"filter", "", 10}, {"step", "", 26}, {"cpu_seconds", "%.3f"}, {"seconds", "%.3f"}})));
-  return arguments.out.empty() ? Status::ok() : report.write(arguments.out);
+  if (arguments.out.empty()) return Status::ok();
+  std::filesystem::create_directories(arguments.out);
+  return report.write(arguments.out);
 }
 
 Arguments parsed(int count, char** words) {

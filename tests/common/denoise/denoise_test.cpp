@@ -1,6 +1,7 @@
 #include "common/denoise/denoise.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <set>
 
@@ -187,6 +188,21 @@ TEST(Denoise, HasTheSameBitsForAnyNumberOfThreads) {
     }
   }
   use_threads(before);
+}
+
+/// Returns FNV-1a over the bits of the moves.
+uint64_t hash_of(const std::vector<Vec3f>& moves) {
+  uint64_t hash = 0xcbf29ce484222325;
+  for (const Vec3f& move : moves)
+    for (int axis = 0; axis < 3; ++axis)
+      hash = (hash ^ std::bit_cast<uint32_t>(move[axis])) * 0x100000001b3;
+  return hash;
+}
+
+TEST(Denoise, HasTheSameBitsOnEveryMachine) {
+  const TriangleMesh part = *generate_scan({"part", 2000, 1, 0.2, NoiseKind::kGauss});
+  EXPECT_EQ(hash_of(layer_of(part, machined())), 0x565199eb1b46d5d6);
+  EXPECT_EQ(hash_of(layer_of(part, scanner())), 0xd60f4d2a2032f8ee);
 }
 
 TEST(Denoise, ShowsEachPass) {
