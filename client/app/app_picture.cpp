@@ -4,6 +4,7 @@
 #include "client/app/escape.h"
 #include "client/app/places.h"
 #include "client/app/theme.h"
+#include "common/base/limits.h"
 
 namespace burnish {
 

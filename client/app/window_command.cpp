@@ -6,6 +6,7 @@
 #include "client/app/headless.h"
 #include "client/cli/server_option.h"
 #include "client/script/script.h"
+#include "common/base/limits.h"
 
 namespace burnish {
 namespace {

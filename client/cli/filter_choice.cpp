@@ -76,6 +76,32 @@ void add_filter_options(CLI::App& command, FilterChoice& choice) {
     preset->excludes(command.get_option(name));
 }
 
+void add_edge_options(CLI::App& command, FilterChoice& choice) {
+  std::string presets;
+  for (const EdgePreset& preset : edge_presets())
+    presets.append("\n").append(preset.name).append(": ").append(preset.scans);
+  CLI::Option* keep =
+      command
+          .add_option("--keep-edges", choice.keep_edges,
+                      "Take noise away and keep edges before --beta smooths or sharpens" + presets)
+          ->type_name("NAME")
+          ->check([](const std::string& name) {
+            return usage_message(find_edge_preset(name).status());
+          });
+  command.add_option("--edge-strength", choice.edge_strength, "How much of it (default 1)")
+      ->check(in_range(0.0, 1.0))
+      ->needs(keep);
+  command.add_option("--edge-angle", choice.edge_angle, "Degrees: sharper bends are edges")
+      ->check(in_range(kEdgeAngleMin, kEdgeAngleMax))
+      ->needs(keep);
+  command.add_option("--edge-passes", choice.edge_passes, "More take away longer noise")
+      ->check(in_range(1, kNormalPassesMax))
+      ->needs(keep);
+  command.add_option("--crispness", choice.crispness, "Low for relief, high for machined parts")
+      ->check(in_range(0.0, 1.0))
+      ->needs(keep);
+}
+
 using Changes = std::vector<decltype(Edit::change)>;
 
 static Status add_layers(const FilterChoice& choice, Changes& changes) {
@@ -97,6 +123,22 @@ static Status add_layers(const FilterChoice& choice, Changes& changes) {
   return Status::ok();
 }
 
+// Without another fidelity waves of some edges are its own.
+static Status add_edges(const FilterChoice& choice, const ScanLengths& scan, Changes& changes) {
+  if (choice.keep_edges.empty()) return Status::ok();
+  ASSIGN_OR_RETURN(EdgePreset preset, find_edge_preset(choice.keep_edges));
+  EdgeFilter& filter = preset.filter;
+  filter.strength = choice.edge_strength.value_or(filter.strength);
+  filter.edge_angle = choice.edge_angle.value_or(filter.edge_angle);
+  filter.passes = choice.edge_passes.value_or(filter.passes);
+  filter.crispness = choice.crispness.value_or(filter.crispness);
+  changes.emplace_back(SetEdges{filter});
+  if (choice.preset.empty() && !choice.alpha && !choice.wavelength && !choice.curve)
+    changes.emplace_back(SetTransferCurve{
+        TransferCurve(alpha_of_wavelength(scan.length_unit, kEdgeWaveEdges * scan.mean_edge))});
+  return Status::ok();
+}
+
 Result<Changes> changes_of(const FilterChoice& choice, const ScanLengths& scan,
                            const Equaliser& in_force) {
   Changes changes;
@@ -114,6 +156,7 @@ Result<Changes> changes_of(const FilterChoice& choice, const ScanLengths& scan,
         SetTransferCurve{TransferCurve(alpha_of_wavelength(scan.length_unit, *choice.wavelength))});
   if (choice.curve) changes.emplace_back(SetTransferCurve{*choice.curve});
   if (choice.beta) changes.emplace_back(SetGradientScale{*choice.beta});
+  RETURN_IF_ERROR(add_edges(choice, scan, changes));
   RETURN_IF_ERROR(add_layers(choice, changes));
   return changes;
 }

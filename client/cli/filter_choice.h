@@ -20,6 +20,9 @@ struct FilterChoice {
   Equaliser equaliser;
   std::string palette_file;
   std::optional<double> colour_beta, colour_alpha;
+  std::string keep_edges;  ///< name of an edge preset; empty: edges are not kept
+  std::optional<double> edge_strength, edge_angle, crispness;
+  std::optional<int> edge_passes;
 
   /// Returns whether the edits depend on the scan.
   bool needs_scan() const { return wavelength || !preset.empty(); }
@@ -28,6 +31,9 @@ struct FilterChoice {
 /// Adds --alpha, --wavelength, --curve, --beta, --preset, --strength, --band, --palette,
 /// --colour-beta and --colour-alpha to a command or a group of its options.
 void add_filter_options(CLI::App& command, FilterChoice& choice);
+
+/// Adds --keep-edges and what changes its presets.
+void add_edge_options(CLI::App& command, FilterChoice& choice);
 
 /// Returns the edits that the choice stands for: curve, β, palette, equaliser, colours; none for
 /// what is not given. A preset ends the bands that are in force. Fails: not_found for an unknown

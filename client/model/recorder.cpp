@@ -45,6 +45,7 @@ struct LineOf {
   void operator()(const SetColour& change) const {
     line << "colours " << change.filter.beta << ' ' << change.filter.alpha;
   }
+  void operator()(const SetEdges&) const {}  // no session takes one yet
   void operator()(const Undo&) const { line << "undo"; }
   void operator()(const Redo&) const { line << "redo"; }
   void operator()(const SwitchEntry& change) const {

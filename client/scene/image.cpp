@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "common/base/limits.h"
+
 namespace burnish {
 namespace {
 

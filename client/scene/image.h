@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "common/base/limits.h"
 #include "common/base/status.h"
 
 namespace burnish {

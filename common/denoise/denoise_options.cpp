@@ -1,6 +1,7 @@
 #include "common/denoise/denoise_options.h"
 
 #include <string>
+#include <vector>
 
 #include "common/base/text.h"
 
@@ -13,10 +14,10 @@ static Status outside(const std::string& thing, const std::string& value, double
 }
 
 Status validate(const DenoiseOptions& options) {
-  if (!(options.sigma >= kEdgeAngleMin && options.sigma <= kEdgeAngleMax))
-    return outside("edge angle", shortest_text(options.sigma), kEdgeAngleMin, kEdgeAngleMax);
-  if (options.passes < 0 || options.passes > kFilterPassesMax)
-    return outside("number of passes", std::to_string(options.passes), 0, kFilterPassesMax);
+  if (!(options.sigma >= kSigmaMin && options.sigma <= kSigmaMax))
+    return outside("edge angle", shortest_text(options.sigma), kSigmaMin, kSigmaMax);
+  if (options.passes < 0 || options.passes > kNormalPassesMax)
+    return outside("number of passes", std::to_string(options.passes), 0, kNormalPassesMax);
   if (!(options.crispness >= 0 && options.crispness <= kCrispnessMax))
     return outside("crispness", shortest_text(options.crispness), 0, kCrispnessMax);
   if (!(options.cap >= 0))
@@ -24,27 +25,21 @@ Status validate(const DenoiseOptions& options) {
   return Status::ok();
 }
 
-Result<NormalFilterKind> parse_normal_filter(std::string_view word) {
-  for (const auto kind : {NormalFilterKind::kBilateral, NormalFilterKind::kEdges})
-    if (word == name_of(kind)) return kind;
-  return invalid_argument("filter of normals '" + std::string(word) +
-                          "' is not bilateral or edges");
-}
-
-std::string_view name_of(NormalFilterKind kind) {
-  return kind == NormalFilterKind::kEdges ? "edges" : "bilateral";
+DenoiseOptions options_of(const EdgeFilter& filter) {
+  return {.kind = filter.kind,
+          .sigma = filter.sigma(),
+          .passes = filter.passes,
+          .crispness = filter.crispness};
 }
 
 std::span<const DenoisePreset> denoise_presets() {
-  using enum NormalFilterKind;
-  static constexpr DenoisePreset kPresets[] = {
-      {"Machined part", {.kind = kEdges, .sigma = 0.3, .passes = 10, .crispness = 1}},
-      {"Scanner noise, keep edges",
-       {.kind = kBilateral, .sigma = 0.3, .passes = 20, .crispness = 1}},
-      {"Soft surface", {.kind = kBilateral, .sigma = 0.45, .passes = 5, .crispness = 1}},
-      {"Relief and inscriptions", {.kind = kBilateral, .sigma = 0.3, .passes = 5, .crispness = 0}},
-  };
-  return kPresets;
+  static const std::vector<DenoisePreset> presets = [] {
+    std::vector<DenoisePreset> all;
+    for (const EdgePreset& preset : edge_presets())
+      all.push_back({preset.name, options_of(preset.filter)});
+    return all;
+  }();
+  return presets;
 }
 
 }  // namespace burnish

@@ -5,19 +5,13 @@
 #include <string_view>
 
 #include "common/base/status.h"
+#include "common/edit/edge_filter.h"
 
 namespace burnish {
 
-inline constexpr double kEdgeAngleMin = 0.05;  ///< of DenoiseOptions::sigma
-inline constexpr double kEdgeAngleMax = 1.5;
-inline constexpr int kFilterPassesMax = 100;
+inline constexpr double kSigmaMin = 0.04;  ///< of DenoiseOptions
+inline constexpr double kSigmaMax = 1.5;
 inline constexpr double kCrispnessMax = 1;
-
-/// How normals are filtered.
-enum class NormalFilterKind {
-  kBilateral,  ///< a triangle's own normal says which neighbours are of its side of an edge
-  kEdges,      ///< the most even ring around says it: for machined parts
-};
 
 /// What a denoising that keeps edges does.
 struct DenoiseOptions {
@@ -37,16 +31,15 @@ struct DenoiseOptions {
 /// Fails: invalid_argument that names the value and its limits.
 Status validate(const DenoiseOptions& options);
 
-/// Returns the kind of this word: bilateral or edges. Fails: invalid_argument.
-Result<NormalFilterKind> parse_normal_filter(std::string_view word);
-std::string_view name_of(NormalFilterKind kind);
+/// Returns what an edit asks for, without its strength.
+DenoiseOptions options_of(const EdgeFilter& filter);
 
 struct DenoisePreset {
   std::string_view name;
   DenoiseOptions options;
 };
 
-/// Machined part; Scanner noise, keep edges; Soft surface; Relief and inscriptions.
+/// Returns the options of edge_presets(), in their order.
 std::span<const DenoisePreset> denoise_presets();
 
 }  // namespace burnish

@@ -2,9 +2,9 @@
 
 #include <span>
 
-#include "common/denoise/denoise_options.h"
 #include "common/denoise/triangle_normals.h"
 #include "common/denoise/triangle_rings.h"
+#include "common/edit/edge_filter.h"
 
 namespace burnish {
 

@@ -9,6 +9,7 @@
 #include "common/edit/brush.h"
 #include "common/edit/colour_filter.h"
 #include "common/edit/controls.h"
+#include "common/edit/edge_filter.h"
 #include "common/edit/equaliser.h"
 #include "common/edit/palette.h"
 #include "common/edit/protect.h"
@@ -58,6 +59,11 @@ struct SetColour {
   ColourFilter filter;
 };
 
+/// Says how edges are kept and noise is found. The last such edit counts.
+struct SetEdges {
+  EdgeFilter filter;
+};
+
 /// Switches off the author's newest entry that is on.
 struct Undo {};
 
@@ -88,8 +94,8 @@ struct Damaged {
 };
 
 using Change = std::variant<SetGradientScale, SetTransferCurve, Stroke, SetCellFields, SetControls,
-                            Protect, SetEqualiser, SetPalette, SetColour, Undo, Redo, SwitchEntry,
-                            SetCheckpoint, RestoreCheckpoint, Damaged>;
+                            Protect, SetEqualiser, SetPalette, SetColour, SetEdges, Undo, Redo,
+                            SwitchEntry, SetCheckpoint, RestoreCheckpoint, Damaged>;
 
 /// One change of a session. The client chooses the id; applying an id twice is harmless.
 struct Edit {
@@ -112,6 +118,7 @@ enum class EditKind {
   kEqualiser,
   kPalette,
   kColour,
+  kEdges,
   kUndo,
   kRedo,
   kSwitchEntry,
@@ -128,7 +135,7 @@ inline EditKind kind_of(const Edit& edit) {
 bool makes_fields(EditKind kind);
 
 /// "slider", "curve", "stroke", "cells", "controls", "protect", "equaliser", "palette",
-/// "colour", "undo", "redo", "switch", "checkpoint", "restore", "damaged".
+/// "colour", "edges", "undo", "redo", "switch", "checkpoint", "restore", "damaged".
 const char* edit_kind_name(EditKind kind);
 
 /// Describes the edit in a few words: "beta 0.25", "stroke of 12 points, radius 0.5, beta 2".

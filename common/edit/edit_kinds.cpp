@@ -104,6 +104,9 @@ constexpr std::array<EditKindFacts, std::variant_size_v<Change>> kEditKinds = {
     facts<EditKind::kColour>(
         "colour", true, [](const SetColour& change) { return check_colour_filter(change.filter); },
         [](const SetColour& change) { return text_of(change.filter); }),
+    facts<EditKind::kEdges>(
+        "edges", true, [](const SetEdges& change) { return check_edge_filter(change.filter); },
+        [](const SetEdges& change) { return text_of(change.filter); }),
     facts<EditKind::kUndo>("undo", false, kAnyValue<Undo>,
                            [](const Undo&) { return std::string("undo"); }),
     facts<EditKind::kRedo>("redo", false, kAnyValue<Redo>,

@@ -12,6 +12,7 @@ struct Taker {
   void operator()(const SetEqualiser& change) const { settings.equaliser = change.equaliser; }
   void operator()(const SetPalette& change) const { settings.palette = change.palette; }
   void operator()(const SetColour& change) const { settings.colour = change.filter; }
+  void operator()(const SetEdges& change) const { settings.edges = change.filter; }
   // Places of the surface, and which edits count.
   void operator()(const Stroke&) const {}
   void operator()(const SetCellFields&) const {}

@@ -12,6 +12,7 @@ struct Settings {
   Equaliser equaliser;
   Palette palette;
   ColourFilter colour;
+  EdgeFilter edges;
   bool operator==(const Settings&) const = default;
 
   /// Takes what the change sets. Other kinds set nothing here.

@@ -1,5 +1,7 @@
 #include "common/wire/bands_wire.h"
 
+#include <algorithm>
+
 #include "common/wire/edit_wire.h"
 
 namespace burnish {
@@ -53,6 +55,30 @@ v1::ColourFilter to_wire(const ColourFilter& filter) {
 ColourFilter from_wire(const v1::ColourFilter& message, bool is_there) {
   if (!is_there) return {};
   return {message.alpha(), message.beta()};
+}
+
+v1::EdgeFilter to_wire(const EdgeFilter& filter) {
+  v1::EdgeFilter message;
+  message.set_strength(filter.strength);
+  message.set_kind(filter.kind == NormalFilterKind::kEdges ? v1::NORMAL_FILTER_KIND_EDGES
+                                                           : v1::NORMAL_FILTER_KIND_BILATERAL);
+  message.set_edge_angle(filter.edge_angle);
+  message.set_passes(static_cast<uint32_t>(filter.passes));
+  message.set_crispness(filter.crispness);
+  return message;
+}
+
+Result<EdgeFilter> from_wire(const v1::EdgeFilter& message) {
+  if (message.kind() < v1::NORMAL_FILTER_KIND_UNSPECIFIED ||
+      message.kind() > v1::NORMAL_FILTER_KIND_EDGES)
+    return invalid_argument("filter of normals " + std::to_string(message.kind()) +
+                            " is none of 1 (bilateral), 2 (edges)");
+  constexpr uint32_t kBeyond = kNormalPassesMax + 1;  // is refused likewise
+  return EdgeFilter{message.strength(),
+                    message.kind() == v1::NORMAL_FILTER_KIND_EDGES ? NormalFilterKind::kEdges
+                                                                   : NormalFilterKind::kBilateral,
+                    message.edge_angle(), static_cast<int>(std::min(message.passes(), kBeyond)),
+                    message.crispness()};
 }
 
 }  // namespace burnish

@@ -34,6 +34,9 @@ struct ChangeWriter {
   void operator()(const SetColour& change) const {
     *message.mutable_colour() = to_wire(change.filter);
   }
+  void operator()(const SetEdges& change) const {
+    *message.mutable_edges() = to_wire(change.filter);
+  }
   void operator()(const Undo&) const { message.mutable_undo(); }
   void operator()(const Redo&) const { message.mutable_redo(); }
   void operator()(const SwitchEntry& change) const {

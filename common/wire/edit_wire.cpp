@@ -97,6 +97,11 @@ Status read_change(const v1::Edit& message, Edit& edit) {
     case v1::Edit::kColour:
       edit.change = SetColour{from_wire(message.colour(), true)};
       return Status::ok();
+    case v1::Edit::kEdges: {
+      ASSIGN_OR_RETURN(const EdgeFilter filter, from_wire(message.edges()));
+      edit.change = SetEdges{filter};
+      return Status::ok();
+    }
     case v1::Edit::kUndo:
       edit.change = Undo{};
       return Status::ok();

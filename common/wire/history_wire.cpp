@@ -10,7 +10,7 @@
 namespace burnish {
 
 // The kinds that entries have; the other edits only switch entries.
-static constexpr std::array<std::pair<EditKind, v1::EntryKind>, 11> kKinds = {{
+static constexpr std::array<std::pair<EditKind, v1::EntryKind>, 12> kKinds = {{
     {EditKind::kGradientScale, v1::ENTRY_KIND_GRADIENT_SCALE},
     {EditKind::kTransferCurve, v1::ENTRY_KIND_TRANSFER_CURVE},
     {EditKind::kStroke, v1::ENTRY_KIND_STROKE},
@@ -22,6 +22,7 @@ static constexpr std::array<std::pair<EditKind, v1::EntryKind>, 11> kKinds = {{
     {EditKind::kEqualiser, v1::ENTRY_KIND_EQUALISER},
     {EditKind::kPalette, v1::ENTRY_KIND_PALETTE},
     {EditKind::kColour, v1::ENTRY_KIND_COLOUR},
+    {EditKind::kEdges, v1::ENTRY_KIND_EDGES},
 }};
 
 static v1::EntryKind kind_to_wire(EditKind kind) {

@@ -17,6 +17,7 @@ void write_settings(const Settings& settings, Message& message) {
   *message.mutable_equaliser() = to_wire(settings.equaliser);
   *message.mutable_palette() = to_wire(settings.palette);
   *message.mutable_colour() = to_wire(settings.colour);
+  if (settings.edges != EdgeFilter()) *message.mutable_edges() = to_wire(settings.edges);
 }
 
 /// Fails: as TransferCurve::create().
@@ -24,12 +25,14 @@ template <typename Message>
 Result<Settings> read_settings(const Message& message) {
   ASSIGN_OR_RETURN(TransferCurve curve, from_wire(message.transfer_curve()));
   ASSIGN_OR_RETURN(Palette palette, from_wire(message.palette()));
+  ASSIGN_OR_RETURN(const EdgeFilter edges, from_wire(message.edges()));
   return Settings{message.gradient_scale(),
                   std::move(curve),
                   from_wire(message.controls()),
                   from_wire(message.equaliser()),
                   std::move(palette),
-                  from_wire(message.colour(), message.has_colour())};
+                  from_wire(message.colour(), message.has_colour()),
+                  message.has_edges() ? edges : EdgeFilter()};
 }
 
 }  // namespace burnish

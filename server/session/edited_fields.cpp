@@ -147,7 +147,7 @@ void EditedFields::set(const Settings& settings) {
   const bool palette = settings.palette != before.palette;
   changes_ |=
       {.metric = settings.curve != before.curve || (palette && fields_.has_painted_curves()),
-       .beta = settings.beta != before.beta,
+       .beta = settings.beta != before.beta || settings.edges != before.edges,
        .shown = palette || settings.equaliser != before.equaliser ||
                 settings.colour != before.colour || settings.controls != before.controls};
   fields_.set(settings);

@@ -15,6 +15,8 @@ Status LayerCheck::check_brush(const Brush& brush) const {
 
 Status LayerCheck::check(const Edit& edit, const Settings& after) const {
   if (const auto* stroke = std::get_if<Stroke>(&edit.change)) return check_brush(stroke->brush);
+  if (after.edges.is_on() && after.controls.keep_volume)
+    return failed_precondition("the volume cannot be kept while edges are kept");
   if (after.palette == settings_.palette && after.curve == settings_.curve) return Status::ok();
   return check_beside(after.palette, after.curve);
 }

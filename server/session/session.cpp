@@ -6,6 +6,7 @@
 #include "server/session/band_mix.h"
 #include "server/session/band_surfaces.h"
 #include "server/session/colour_channel.h"
+#include "server/session/kept_edges.h"
 #include "server/session/shown_displacement.h"
 
 namespace burnish {
@@ -22,14 +23,22 @@ struct Session::State {
         solver(std::move(session_solver)),
         bands(on, options),
         colour(on, options),
+        edges(*prepared, hierarchy->at(hierarchy->finest).grid),
         mix(hierarchy->at(hierarchy->finest).grid),
         shown(*prepared, hierarchy->at(hierarchy->finest).grid) {}
 
+  // Needs: edges.want() with these fields.
+  FieldsView view_of(const Fields& fields) const {
+    FieldsView view = fields.view();
+    view.target = edges.target();
+    return view;
+  }
+
   void update_solver(const Fields& fields, const EditedFields::Changes& changes) {
     if (changes.metric)
-      solver->set_metric(fields.view());
+      solver->set_metric(view_of(fields));
     else if (changes.beta)
-      solver->set_gradient_scale(fields.view());
+      solver->set_gradient_scale(view_of(fields));
     if (changes.metric || changes.beta) {
       cycles_since_change = 0;
       solved = {};
@@ -47,7 +56,7 @@ struct Session::State {
   }
 
   void start_over(const Fields& fields) {
-    solver->start_over(fields.view());
+    solver->start_over(view_of(fields));
     cycles_since_change = 0;
     solved = {};
     show_to_others(fields);
@@ -105,6 +114,7 @@ struct Session::State {
   std::span<const Vec3f> solved;  // its displacement; empty: to be read
   BandSurfaces bands;
   ColourChannel colour;
+  KeptEdges edges;
   BandMix mix;
   ShownDisplacement shown;
   LiveObject live{LiveKind::kSession};
@@ -153,6 +163,7 @@ void Session::update() {
   (void)state_->edited.catch_up();  // nobody cancels it
   EditedFields::Changes changes = state_->edited.take_changes();
   const Fields& shown = state_->previews.over(state_->edited.fields(), changes);
+  if (const Status kept = state_->edges.want(shown); !kept.is_ok()) state_->status = kept;
   state_->update_solver(shown, changes);
 }
 
@@ -192,6 +203,7 @@ Result<SolveReport> Session::solve(const SolveOptions& options, const Progress& 
   RETURN_IF_ERROR(state_->edited.catch_up(progress));
   EditedFields::Changes changes = state_->edited.take_changes();
   changes |= state_->previews.set_aside();
+  RETURN_IF_ERROR(state_->edges.want(state_->edited.fields(), progress));
   state_->update_for(options, changes);
   if (options.exact && is_exact(state_->last))
     return SolveReport{.converged = true, .last = state_->last};
@@ -250,12 +262,20 @@ std::vector<Vec3d> Session::moved_vertices() {
   return positions;
 }
 
+static void cap_moves(std::span<const Vec3d> from, double cap, std::span<Vec3d> positions) {
+#pragma omp parallel for schedule(static)
+  for (size_t v = 0; v < positions.size(); ++v) {
+    const Vec3d move = positions[v] - from[v];
+    if (move.norm() > cap) positions[v] = from[v] + cap / move.norm() * move;
+  }
+}
+
 std::vector<Vec3d> Session::evaluated_vertices() {
   const PreparedMesh& prepared = *state_->prepared;
   const Controls& controls = state_->edited.controls();
   const Fields& fields = state_->edited.fields();
-  const bool is_solvers =
-      fields.equaliser().bands.empty() && !ShownDisplacement::is_needed(controls, fields);
+  const bool is_solvers = fields.equaliser().bands.empty() && !state_->edges.is_on() &&
+                          !ShownDisplacement::is_needed(controls, fields);
   if (is_solvers) return state_->solver->evaluate_vertices();
   const SparseGrid& grid = state_->hierarchy->at(state_->hierarchy->finest).grid;
   const auto shown = state_->shown.of(state_->mixed(fields), controls, fields, true);
@@ -264,6 +284,9 @@ std::vector<Vec3d> Session::evaluated_vertices() {
   for (size_t v = 0; v < positions.size(); ++v)
     positions[v] +=
         prepared.frame.cell_size * evaluate(grid, prepared.evaluation[v], shown).cast<double>();
+  if (!state_->edges.is_on()) return positions;
+  state_->edges.add_layer(positions);
+  if (controls.cap > 0) cap_moves(prepared.vertices, controls.cap, positions);
   return positions;
 }
 
@@ -286,7 +309,7 @@ const Solver& Session::solver() const {
 uint64_t Session::byte_count() const {
   return state_->solver->byte_count() + state_->edited.byte_count() +
          state_->previews.byte_count() + state_->shown.byte_count() + state_->bands.byte_count() +
-         state_->colour.byte_count() + state_->mix.byte_count();
+         state_->colour.byte_count() + state_->mix.byte_count() + state_->edges.byte_count();
 }
 
 }  // namespace burnish

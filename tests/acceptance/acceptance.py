@@ -22,7 +22,7 @@ import checks
 import fronts
 
 KINDS = ("tablet", "coloured", "icosphere", "cylinder", "sheet", "doubled", "flaps", "blob", "sheets", "fan",
-         "soup", "part", "wall")
+         "soup", "part", "coin", "wall")
 SHORT_KINDS = ("coloured", "doubled", "blob", "soup")
 
 
@@ -147,12 +147,12 @@ def ways_of(facts, server, page):
     ways = {
         "filter": Way(fronts.can_filter,
                       lambda settings, out: fronts.filtered(facts.file, settings, out)),
-        "commands": Way(lambda _: True, server.by_commands),
-        "script": Way(lambda _: True, server.by_script),
+        "commands": Way(fronts.can_session, server.by_commands),
+        "script": Way(fronts.can_session, server.by_script),
         "python": Way(fronts.can_python, server.by_python),
     }
     if page:
-        ways["page"] = Way(lambda _: True,
+        ways["page"] = Way(fronts.can_session,
                            lambda settings, out: server.by_page(page, settings, out))
     return ways
 
@@ -194,8 +194,8 @@ def main(words=None):
     parser.add_argument("scans", nargs="*", type=pathlib.Path)
     given = parser.parse_args(words)
     table = Table()
-    tried = (cases.PLAIN[:2] + cases.SINGLE if given.short
-             else cases.PLAIN + cases.SINGLE + cases.pairs(given.pairs))
+    tried = (cases.PLAIN[:2] + cases.SINGLE + cases.EDGES[:2] if given.short
+             else cases.PLAIN + cases.SINGLE + cases.EDGES + cases.pairs(given.pairs))
     tried = tuple(case for case in tried if not given.only or case.name in given.only)
     with tempfile.TemporaryDirectory(prefix="burnish-") as folder:
         files = given.scans or generated(SHORT_KINDS if given.short else KINDS,

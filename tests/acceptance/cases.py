@@ -74,6 +74,19 @@ PARTS = {
 SINGLE = tuple(Case(name, (*options, *(() if name in ("beta", "stroke") else (("--beta", "0.3"),))))
                for name, options in PARTS.items())
 
+# Only the filter keeps edges.
+EDGES = (
+    _case("edges", ("--keep-edges", "machined")),
+    _case("edges + beta 3", ("--keep-edges", "relief"), ("--beta", "3")),
+    _case("edges + free rims", ("--keep-edges", "scanner"), ("--pin-rims", "off")),
+    _case("edges + cap", ("--keep-edges", "soft"), *PARTS["cap"]),
+    _case("edges + bands", ("--keep-edges", "machined"), *PARTS["bands"]),
+    _case("edges + stroke", ("--keep-edges", "scanner"), *PARTS["stroke"]),
+    _case("edges + palette", ("--keep-edges", "scanner"), *PARTS["palette"]),
+    _case("edges + colours", ("--keep-edges", "scanner"), *PARTS["colours"]),
+    _case("edges + volume", ("--keep-edges", "machined"), *PARTS["volume"]),
+)
+
 
 def pairs(count, seed=1):
     """Returns random pairs of PARTS, each with a beta that moves something."""
@@ -91,5 +104,7 @@ def pairs(count, seed=1):
 def applies(case, facts):
     """Returns whether a scan can take the case: others are refused, which is tried as well."""
     if case.has("--colour-beta") and not facts.has_colours:
+        return False
+    if case.has("--keep-volume") and case.has("--keep-edges"):
         return False
     return not (case.has("--keep-volume") and not facts.is_closed)

@@ -219,9 +219,14 @@ def _script_lines(settings):
     return lines
 
 
+def can_session(settings):
+    """Returns whether sessions have all of these: they keep no edges."""
+    return not any(name == "--keep-edges" for name, _ in settings)
+
+
 def can_python(settings):
-    """Returns whether the package has all of these: presets are the window's."""
-    return not any(name == "--preset" for name, _ in settings)
+    """Returns whether the package has all of these in sessions: presets are the window's."""
+    return can_session(settings) and not any(name == "--preset" for name, _ in settings)
 
 
 def _changes(settings):

@@ -14,6 +14,7 @@
 #include "common/base/process_memory.h"
 #include "common/generate/generate.h"
 #include "common/mesh/mesh_io.h"
+#include "tests/common/denoise/shape_error.h"
 #include "tests/common/gltf/glb_file.h"
 #include "tests/common/temporary_folder.h"
 #include "tests/system/process.h"
@@ -476,6 +477,37 @@ TEST_F(FilterCommand, TheInputIsReplacedOnlyByForce) {
   EXPECT_EQ(std::filesystem::file_size(in()), before);
   EXPECT_EQ(burnish({"filter", in(), in(), "--depth", "4", "--cycles", "1", "--force"}), 0)
       << output_;
+}
+
+TEST_F(FilterCommand, KeepsTheEdgesOfANoisyPart) {
+  ASSERT_EQ(burnish({"generate", "part", in(), "--vertices", "2500", "--noise", "0.2",
+                     "--noise-kind", "gauss"}),
+            0)
+      << output_;
+  ASSERT_EQ(burnish({"filter", in(), out(), "--keep-edges", "machined", "--exact"}), 0) << output_;
+  const TriangleMesh clean = *generate_scan({"part", 2500, 1, 0.0});
+  const TriangleMesh noisy = *read_mesh(in()), kept = *read_mesh(out());
+  EXPECT_LT(shape_error(clean, kept).angle, 0.25 * shape_error(clean, noisy).angle);
+
+  ASSERT_EQ(burnish({"filter", in(), out(), "--keep-edges", "machined", "--edge-strength", "0",
+                     "--exact"}),
+            0)
+      << output_;
+  EXPECT_EQ(read_mesh(out())->vertices, noisy.vertices);
+}
+
+TEST_F(FilterCommand, WordsOfKeptEdgesAreChecked) {
+  EXPECT_EQ(burnish({"filter", in(), out(), "--keep-edges", "corners"}), 2);
+  EXPECT_THAT(output_, HasSubstr("'corners' keeps no edges; there are machined, scanner, soft, "
+                                 "relief"));
+  EXPECT_EQ(burnish({"filter", in(), out(), "--keep-edges", "soft", "--edge-angle", "3"}), 2);
+  EXPECT_THAT(output_, HasSubstr("3 is outside 5 to 120"));
+  EXPECT_EQ(burnish({"filter", in(), out(), "--crispness", "1"}), 2);
+  EXPECT_THAT(output_, HasSubstr("--keep-edges"));
+  EXPECT_EQ(burnish({"filter", in(), out(), "--keep-edges", "soft", "--backend", "cuda"}), 1);
+  EXPECT_THAT(output_, HasSubstr("processors only"));
+  EXPECT_EQ(burnish({"filter", in(), out(), "--keep-edges", "soft", "--keep-volume", "on"}), 1);
+  EXPECT_THAT(output_, HasSubstr("the volume cannot be kept while edges are kept"));
 }
 
 TEST_F(FilterCommand, ADepthBeyondTheMachinesMemoryIsRefusedWithWhatItTakes) {

@@ -43,8 +43,11 @@ Status make_out_dir(const FilterOptions& options) {
   return Status::ok();
 }
 
-/// Fails: as the filter's own files cannot be read; not_found for an unknown preset.
+/// Fails: as the filter's own files cannot be read; not_found for an unknown preset; unimplemented
+/// for edges on a device.
 Result<std::vector<Edit>> check_filter(const FilterOptions& options) {
+  if (!options.filter.keep_edges.empty() && options.solver.backend == BackendKind::kCuda)
+    return unimplemented("--keep-edges works on processors only: leave --backend cuda out");
   if (!options.filter.preset.empty())
     RETURN_IF_ERROR(find_any_preset(options.filter.preset).status());
   return read_edits(options);

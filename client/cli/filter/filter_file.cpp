@@ -53,9 +53,10 @@ const char* how_to_free(const HeldRims& rims) {
 
 Status apply_edits(const FilterOptions& options, const std::vector<Edit>& edits, Session& session) {
   const PreparedMesh& prepared = session.prepared();
-  ASSIGN_OR_RETURN(
-      const auto filter,
-      changes_of(options.filter, {prepared.length_unit, prepared.frame.cell_size}, {}));
+  ASSIGN_OR_RETURN(const auto filter, changes_of(options.filter,
+                                                 {prepared.length_unit, prepared.frame.cell_size,
+                                                  prepared.statistics.mean_edge_length},
+                                                 {}));
   LayerCheck layers = session.edited().layers();
   for (const auto& change : filter) {
     RETURN_IF_ERROR(session.edited().check_new({"filter", change}));
@@ -91,6 +92,13 @@ Result<Multigrid> make_hierarchy(const std::shared_ptr<const PreparedMesh>& prep
   run.hierarchy_bytes = hierarchy.byte_count();
   run.corners = hierarchy.at(hierarchy.finest).grid.corner_count();
   return multigrid;
+}
+
+// Devices do not lead a surface to other gradients yet.
+SolverOptions solver_of(const FilterOptions& options) {
+  SolverOptions solver = options.solver;
+  if (!options.filter.keep_edges.empty()) solver.backend = BackendKind::kCpu;
+  return solver;
 }
 
 void warn_unless_converged(const FilterOptions& options, const SolveReport& solve) {
@@ -140,7 +148,7 @@ Result<FilteredFacts> filter_file(const FilterOptions& options, const std::vecto
   if (!preparing.is_ok()) return preparing.status().with_context(paths.in.string());
   const auto& prepared = *preparing;
   ASSIGN_OR_RETURN(const Multigrid multigrid, make_hierarchy(prepared, printer.progress(), run));
-  ASSIGN_OR_RETURN(const auto session, Session::open(multigrid, options.solver));
+  ASSIGN_OR_RETURN(const auto session, Session::open(multigrid, solver_of(options)));
   RETURN_IF_ERROR(apply_edits(options, edits, *session));
   if (!options.fields_file.empty())
     RETURN_IF_ERROR(write_fields_file(*session, options.fields_file));

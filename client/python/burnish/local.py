@@ -47,6 +47,17 @@ class Options:
     """Gains by the size of details, at most 6."""
     colour_beta: float | None = None
     colour_alpha: float | None = None
+    keep_edges: str | None = None
+    """Takes noise away and keeps edges before beta smooths or sharpens: "machined", "scanner",
+    "soft" or "relief"."""
+    edge_strength: float | None = None
+    """How much of it, 0 to 1."""
+    edge_angle: float | None = None
+    """Degrees, 5 to 120: sharper bends are edges."""
+    edge_passes: int | None = None
+    """1 to 100: more take away longer noise."""
+    crispness: float | None = None
+    """0 to 1: low for relief, high for machined parts."""
     controls: Controls | None = None
     depth: int | None = None
     """Of the grid, 4 to 12."""
@@ -58,7 +69,8 @@ class Options:
     def __post_init__(self) -> None:
         check_fields(self, optional=True, beta=float, alpha=float, wavelength=float,
                      curve=TransferCurve, preset=str, strength=float, colour_beta=float,
-                     colour_alpha=float, controls=Controls, depth=int, cycles=int)
+                     colour_alpha=float, keep_edges=str, edge_strength=float, edge_angle=float,
+                     edge_passes=int, crispness=float, controls=Controls, depth=int, cycles=int)
         check_fields(self, exact=bool)
         check_all("Options: bands", self.bands, Band)
 
@@ -67,6 +79,9 @@ class Options:
         given = {"beta": self.beta, "alpha": self.alpha, "wavelength": self.wavelength,
                  "preset": self.preset, "strength": self.strength,
                  "colour-beta": self.colour_beta, "colour-alpha": self.colour_alpha,
+                 "keep-edges": self.keep_edges, "edge-strength": self.edge_strength,
+                 "edge-angle": self.edge_angle, "edge-passes": self.edge_passes,
+                 "crispness": self.crispness,
                  "depth": self.depth, "cycles": self.cycles}
         words = [f"--{name}={value}" for name, value in given.items() if value is not None]
         words += [f"--band={float(band.size)!r}:{float(band.gain)!r}" for band in self.bands]

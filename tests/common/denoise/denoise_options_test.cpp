@@ -25,7 +25,7 @@ TEST(DenoiseOptions, OfAllPresetsAreValid) {
 
 TEST(DenoiseOptions, AWrongValueIsNamedWithItsLimits) {
   EXPECT_THAT(refusal({.sigma = 0.01}),
-              AllOf(HasSubstr("edge angle"), HasSubstr("0.01"), HasSubstr("0.05..1.5")));
+              AllOf(HasSubstr("edge angle"), HasSubstr("0.01"), HasSubstr("0.04..1.5")));
   EXPECT_THAT(refusal({.passes = 101}),
               AllOf(HasSubstr("passes"), HasSubstr("101"), HasSubstr("0..100")));
   EXPECT_THAT(refusal({.passes = -1}), HasSubstr("-1"));

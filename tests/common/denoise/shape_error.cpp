@@ -28,7 +28,7 @@ double mean_angle(const TriangleMesh& clean, const TriangleMesh& mesh) {
   return sum / area * kDegrees;
 }
 
-double volume_of(const TriangleMesh& mesh) {
+double signed_volume_of(const TriangleMesh& mesh) {
   const Vec3d origin = mesh.vertices[mesh.triangles[0][0]];
   double six = 0;
   for (size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -85,7 +85,7 @@ double rms_distance(const TriangleMesh& clean, const TriangleMesh& mesh) {
 
 ShapeError shape_error(const TriangleMesh& clean, const TriangleMesh& mesh) {
   return {mean_angle(clean, mesh), rms_distance(clean, mesh),
-          100 * (volume_of(mesh) / volume_of(clean) - 1)};
+          100 * (signed_volume_of(mesh) / signed_volume_of(clean) - 1)};
 }
 
 double turned_share(const TriangleMesh& before, const TriangleMesh& after) {

@@ -74,6 +74,7 @@ TEST(EditWire, EveryKindOfChangeComesBackUnchangedFromBytes) {
       {"u", SetColour{{7, 0.25}}},
       {"v", Stroke{{0.5, 0.75, 2, FallOff::kSharp, 0, 0, true}, {Vec3d(1, 2, 3)}}},
       {"w", Stroke{{.radius = 0.5, .beta = 2, .connected = true}, {Vec3d(1, 2, 3)}}},
+      {"x", SetEdges{{0.5, NormalFilterKind::kEdges, 40, 7, 0.25}}},
       {"j", SetControls{{.pin_rims = true, .cap = 0.25, .keep_volume = true}}},
   };
   for (const Edit& edit : edits) {
@@ -114,6 +115,20 @@ TEST(EditWire, TheCapOfControlsIsChecked) {
   message.mutable_controls()->set_pin_rims(true);
   EXPECT_EQ(std::get<SetControls>(from_wire(message).value().change).controls,
             (Controls{.pin_rims = true, .cap = 2}));
+}
+
+TEST(EditWire, KeptEdgesAreChecked) {
+  v1::Edit message = with_id();
+  v1::EdgeFilter& edges = *message.mutable_edges();
+  edges.set_edge_angle(35);
+  edges.set_passes(0xffffffff);
+  EXPECT_THAT(refusal(message), HasSubstr("edges: passes 101 is outside 1..100"));
+  edges.set_passes(5);
+  EXPECT_EQ(refusal(message), "accepted");
+  edges.set_strength(1.5);
+  EXPECT_THAT(refusal(message), HasSubstr("edges: strength 1.5 is outside 0..1"));
+  edges.set_kind(static_cast<v1::NormalFilterKind>(9));
+  EXPECT_THAT(refusal(message), HasSubstr("filter of normals 9 is none of"));
 }
 
 TEST(EditWire, AProtectedRegionIsChecked) {

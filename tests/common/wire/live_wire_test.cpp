@@ -92,8 +92,14 @@ TEST(LiveWire, EveryMessageOfTheServerComesBackUnchanged) {
   expect_unchanged<ServerMessage>(LiveFrame{std::string("\0\xff bytes", 8), stats});
   expect_unchanged<ServerMessage>(EditsAcknowledged{{"a", "b"}, {1, 2, 3, {4, 5}}});
   expect_unchanged<ServerMessage>(EditsRefused{{"a", "b"}, unavailable("later")});
-  expect_unchanged<ServerMessage>(HistoryState{
-      3, {0.5, curve(), {true, 0.25, true}, {{{0.5, 2}}}, {{{"letters", 0xd04040, curve()}}}}});
+  expect_unchanged<ServerMessage>(HistoryState{3,
+                                               {0.5,
+                                                curve(),
+                                                {true, 0.25, true},
+                                                {{{0.5, 2}}},
+                                                {{{"letters", 0xd04040, curve()}}},
+                                                {7, 0.25},
+                                                {0.5, NormalFilterKind::kEdges, 40, 7, 0.25}}});
   expect_unchanged<ServerMessage>(people);
   expect_unchanged<ServerMessage>(Heartbeat{123456789});
   for (int code = 1; code <= static_cast<int>(FarewellCode::kNotOwner); ++code)

@@ -23,6 +23,7 @@ std::vector<AuthoredEdit> one_of_each_kind() {
       SetEqualiser{{{{0.5, 2}}}},
       SetPalette{{{{"grooves", 0x112233, TransferCurve(7)}}}},
       SetColour{{20, 0.5}},
+      SetEdges{{0.5, NormalFilterKind::kEdges, 40, 7, 0.25}},
       Undo{},
       Redo{},
       SwitchEntry{1, false},
@@ -64,14 +65,14 @@ class JournalCopyTest : public testing::TestWithParam<JournalKind> {
 INSTANTIATE_TEST_SUITE_P(From, JournalCopyTest, testing::ValuesIn(kJournalKinds), name_of_kind);
 
 TEST_P(JournalCopyTest, EveryKindOfEditArrivesAsItWas) {
-  static_assert(std::variant_size_v<decltype(Edit::change)> == 15, "add the new kind");
+  static_assert(std::variant_size_v<decltype(Edit::change)> == 16, "add the new kind");
   const auto copied = copy_journal(*source_, *target_);
   ASSERT_TRUE(copied.is_ok()) << copied.status().message();
   EXPECT_EQ(copied->sessions, 2u);
-  EXPECT_EQ(copied->edits, 14u);
+  EXPECT_EQ(copied->edits, 15u);
   reopen_target();
   const auto before = source_->edits("id-a").value(), after = target_->edits("id-a").value();
-  ASSERT_EQ(after.size(), 14u);
+  ASSERT_EQ(after.size(), 15u);
   for (size_t i = 0; i < after.size(); ++i) {
     EXPECT_EQ(after[i].author, before[i].author);
     EXPECT_EQ(after[i].unix_ms, before[i].unix_ms);
@@ -100,7 +101,7 @@ TEST_P(JournalCopyTest, ASessionOfTheCopyTakesEdits) {
   ASSERT_TRUE(copy_journal(*source_, *target_).is_ok());
   reopen_target();
   ASSERT_TRUE(target_->hold("id-a").is_ok());
-  EXPECT_TRUE(target_->append("id-a", 15, {{"ann", 0, {"x", Undo{}}}}).is_on_disk());
+  EXPECT_TRUE(target_->append("id-a", 16, {{"ann", 0, {"x", Undo{}}}}).is_on_disk());
 }
 
 TEST_P(JournalCopyTest, ATargetWithSessionsIsLeftAlone) {

@@ -126,6 +126,14 @@ TEST_F(SessionManagerTest, AFailedEditInABatchUndoesTheWholeBatch) {
   EXPECT_EQ(state.session.edits, 1u);
 }
 
+TEST_F(SessionManagerTest, EdgesAreNotKeptByASessionAndTheEditIsNotStored) {
+  ASSERT_TRUE(open("one").is_ok());
+  const auto outcome = apply("one", {{"a", SetEdges{{.strength = 1}}}});
+  EXPECT_EQ(outcome.status().code(), StatusCode::kUnimplemented);
+  EXPECT_THAT(outcome.status().message(), HasSubstr("--keep-edges"));
+  EXPECT_EQ(journal_->edit_count(manager_->list()[0].id).value(), 0u);
+}
+
 TEST_F(SessionManagerTest, ACellThatAnEditSetsTwiceIsRefusedAndNotStored) {
   ASSERT_TRUE(open("one").is_ok());
   const auto mesh = library_.store->open_mesh(scan_id_, {5, 0}, {}).value();

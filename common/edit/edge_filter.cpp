@@ -1,0 +1,68 @@
+#include "common/edit/edge_filter.h"
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "common/base/text.h"
+
+namespace burnish {
+
+double EdgeFilter::sigma() const {
+  return std::sin(edge_angle / 2 * std::numbers::pi / 180);
+}
+
+std::string_view name_of(NormalFilterKind kind) {
+  return kind == NormalFilterKind::kEdges ? "edges" : "bilateral";
+}
+
+std::span<const EdgePreset> edge_presets() {
+  using enum NormalFilterKind;
+  static constexpr EdgePreset kPresets[] = {
+      {"machined", "parts with sharp edges and flat faces", {1, kEdges, 35, 10, 1}},
+      {"scanner", "scanner noise on any shape; edges stay", {1, kBilateral, 35, 20, 1}},
+      {"soft", "rounded shapes", {1, kBilateral, 53, 5, 1}},
+      {"relief", "reliefs and inscriptions", {1, kBilateral, 35, 5, 0}},
+  };
+  return kPresets;
+}
+
+Result<EdgePreset> find_edge_preset(std::string_view name) {
+  std::string names;
+  for (const EdgePreset& preset : edge_presets()) {
+    if (preset.name == name) return preset;
+    names += (names.empty() ? "" : ", ") + std::string(preset.name);
+  }
+  return invalid_argument("'" + std::string(name) + "' keeps no edges; there are " + names);
+}
+
+Result<NormalFilterKind> parse_normal_filter(std::string_view word) {
+  for (const auto kind : {NormalFilterKind::kBilateral, NormalFilterKind::kEdges})
+    if (word == name_of(kind)) return kind;
+  return invalid_argument("filter of normals '" + std::string(word) +
+                          "' is not bilateral or edges");
+}
+
+std::string text_of(const EdgeFilter& filter) {
+  if (!filter.is_on()) return "edges not kept";
+  char text[120];
+  std::snprintf(text, sizeof text, "edges kept at strength %g, angle %g, %d passes, crispness %g%s",
+                filter.strength, filter.edge_angle, filter.passes, filter.crispness,
+                filter.kind == NormalFilterKind::kEdges ? ", machined" : "");
+  return text;
+}
+
+static Status check_between(const char* what, double value, double least, double most) {
+  if (value >= least && value <= most) return Status::ok();
+  return invalid_argument(std::string(what) + " " + shortest_text(value) + " is outside " +
+                          shortest_text(least) + ".." + shortest_text(most));
+}
+
+Status check_edge_filter(const EdgeFilter& filter) {
+  RETURN_IF_ERROR(check_between("edges: strength", filter.strength, 0, 1));
+  RETURN_IF_ERROR(check_between("edges: angle", filter.edge_angle, kEdgeAngleMin, kEdgeAngleMax));
+  RETURN_IF_ERROR(check_between("edges: passes", filter.passes, 1, kNormalPassesMax));
+  return check_between("edges: crispness", filter.crispness, 0, 1);
+}
+
+}  // namespace burnish

@@ -1,0 +1,142 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/edit/wavelength.h"
+#include "common/generate/generate.h"
+#include "common/mesh/statistics.h"
+#include "tests/common/denoise/shape_error.h"
+#include "tests/server/session/solved_session.h"
+
+namespace burnish {
+namespace {
+
+using testing::HasSubstr;
+
+/// A part and the same with a scanner's noise.
+struct NoisyPart {
+  TriangleMesh clean = *generate_scan({"part", 2500, 1, 0.0});
+  TriangleMesh noisy = *generate_scan({"part", 2500, 1, 0.2, *parse_noise_kind("gauss")});
+
+  SetTransferCurve waves() const {
+    const MeshStatistics of = compute_statistics(noisy);
+    return {TransferCurve(
+        alpha_of_wavelength(std::sqrt(of.area), kEdgeWaveEdges * of.mean_edge_length))};
+  }
+  TriangleMesh filtered(const std::vector<Change>& changes) const {
+    return exact_surface(*session_over(noisy, 6), changes);
+  }
+};
+
+SetEdges machined() {
+  return {find_edge_preset("machined")->filter};
+}
+
+SetEdges at_strength(double strength) {
+  SetEdges edges = machined();
+  edges.filter.strength = strength;
+  return edges;
+}
+
+TEST(KeptEdges, NoiseGoesAndEdgesStay) {
+  const NoisyPart part;
+  const TriangleMesh kept = part.filtered({part.waves(), machined()});
+  const TriangleMesh smoothed = part.filtered({part.waves(), SetGradientScale{0}});
+  const double noise = shape_error(part.clean, part.noisy).angle;
+  EXPECT_GT(noise, 15);
+  EXPECT_LT(shape_error(part.clean, kept).angle, 0.25 * noise);
+  EXPECT_LT(shape_error(part.clean, kept).angle, 0.5 * shape_error(part.clean, smoothed).angle);
+  EXPECT_EQ(turned_share(part.noisy, kept), 0);
+}
+
+TEST(KeptEdges, SharpeningLeavesTheNoiseAlone) {
+  const NoisyPart part;
+  const SetGradientScale sharper{3};
+  const auto sharp = exact_surface(*session_over(part.clean, 6), {part.waves(), sharper});
+  const TriangleMesh kept = part.filtered({part.waves(), machined(), sharper});
+  const TriangleMesh plain = part.filtered({part.waves(), sharper});
+  EXPECT_LT(shape_error(sharp, kept).angle, 0.3 * shape_error(sharp, plain).angle);
+}
+
+TEST(KeptEdges, AtNoStrengthExportsAreBitForBitThoseWithout) {
+  const NoisyPart part;
+  const SetGradientScale smoother{0.5};
+  const TriangleMesh without = part.filtered({part.waves(), smoother});
+  EXPECT_EQ(part.filtered({part.waves(), smoother, at_strength(0)}).vertices, without.vertices);
+  const TriangleMesh back = part.filtered({part.waves(), machined(), smoother, at_strength(0)});
+  EXPECT_EQ(back.vertices, without.vertices);
+}
+
+TEST(KeptEdges, ExportsDependOnTheLastFilterAlone) {
+  const NoisyPart part;
+  const TriangleMesh direct = part.filtered({part.waves(), at_strength(0.5)});
+  SetEdges other = machined();
+  other.filter.passes = 3;
+  other.filter.crispness = 0.25;
+  const auto session = session_over(part.noisy, 6);
+  exact_surface(*session, {part.waves(), other});
+  EXPECT_EQ(exact_surface(*session, {at_strength(0.5)}).vertices, direct.vertices);
+}
+
+TEST(KeptEdges, StepsLeadToWhatASolveFinds) {
+  const NoisyPart part;
+  const auto session = session_over(part.noisy, 6);
+  for (const Change& change : std::vector<Change>{part.waves(), machined(), SetGradientScale{2}})
+    ASSERT_TRUE(
+        session->apply({std::to_string(session->edited().history().size()), change}).is_ok());
+  StepReport last = session->step();
+  while (!session->is_settled(last)) last = session->step();
+  const TriangleMesh stepped = session->surface();
+  const TriangleMesh solved = part.filtered({part.waves(), machined(), SetGradientScale{2}});
+  EXPECT_LT(farthest(stepped, solved), 1e-4 * compute_statistics(part.noisy).diagonal());
+}
+
+/// What lies in the upper half of a view that the scan fills.
+Protect upper_half(const MeshStatistics& of) {
+  const Vec3d middle = (of.box_min + of.box_max) / 2, half = (of.box_max - of.box_min) / 2;
+  LassoRegion lasso{.polygon = {{-2, 0}, {2, 0}, {2, 2}, {-2, 2}}, .through = true};
+  for (int axis = 0; axis < 3; ++axis) {
+    lasso.view_projection[5 * axis] = 0.9 / half[axis];
+    lasso.view_projection[4 * axis + 3] = -0.9 * middle[axis] / half[axis];
+  }
+  lasso.view_projection[15] = 1;
+  return {.way = lasso};
+}
+
+TEST(KeptEdges, AProtectedRegionKeepsItsNoise) {
+  const NoisyPart part;
+  const MeshStatistics of = compute_statistics(part.noisy);
+  const double height = of.box_max.y() - of.box_min.y();
+  const TriangleMesh kept = part.filtered({part.waves(), machined(), upper_half(of)});
+  size_t held = 0, moved = 0;
+  for (size_t v = 0; v < kept.vertices.size(); ++v) {
+    const double up = (part.noisy.vertices[v].y() - of.box_min.y()) / height;
+    const double move = (kept.vertices[v] - part.noisy.vertices[v]).norm();
+    if (up > 0.6) {
+      ++held;
+      EXPECT_EQ(move, 0) << v;
+    }
+    moved += up < 0.4 && move > 0.01 * of.mean_edge_length;
+  }
+  EXPECT_GT(held, 100u);
+  EXPECT_GT(moved, 100u);
+}
+
+TEST(KeptEdges, NothingMovesMoreThanTheCap) {
+  const NoisyPart part;
+  const double cap = 0.1 * compute_statistics(part.noisy).mean_edge_length;
+  const TriangleMesh kept = part.filtered({part.waves(), machined(), SetControls{{.cap = cap}}});
+  EXPECT_LE(farthest(kept, part.noisy), cap * (1 + 1e-12));
+  EXPECT_GT(farthest(kept, part.noisy), 0.99 * cap);
+}
+
+TEST(KeptEdges, AVolumeIsNotKeptBesideThem) {
+  const NoisyPart part;
+  LayerCheck check({});
+  ASSERT_TRUE(check.take({"1", machined()}).is_ok());
+  const Status refused = check.take({"2", SetControls{{.keep_volume = true}}});
+  EXPECT_EQ(refused.code(), StatusCode::kFailedPrecondition);
+  EXPECT_THAT(refused.message(), HasSubstr("volume"));
+}
+
+}  // namespace
+}  // namespace burnish
