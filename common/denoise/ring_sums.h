@@ -26,7 +26,7 @@ void sum_rings(const RingField& field, const float* nearness, const Float4* guid
 void measure_rings(const RingField& field, size_t begin, size_t end, Float4* out);
 
 /// Writes for triangles `begin` to `end` the normal of the most even ring around. All rings around
-/// count, by exp(-unevenness / softness) beside the least one.
+/// count, by exp(-sharpness times their unevenness) beside the least one's.
 void pick_rings(const RingField& field, const Float4* measured, float sharpness, size_t begin,
                 size_t end, Float4* out);
 
