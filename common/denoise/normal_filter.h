@@ -16,8 +16,8 @@ namespace burnish {
 class NormalFilter {
  public:
   /// Needs: `rings` are those of `surface`, and both outlive this; valid options. Cost: 4 bytes a
-  /// pair of rings and 48 a triangle (edges: 80), in `space`. Throws: WorkCancelled,
-  /// std::bad_alloc.
+  /// pair of rings and 32 a triangle (edges: 64), in `space`; 24 a triangle while it is made.
+  /// Throws: WorkCancelled, std::bad_alloc.
   NormalFilter(const WeldedSurface& surface, const TriangleRings& rings, NormalFilterKind kind,
                double sigma, const ScratchSpace& space = {}, const LoopPart& part = kUnheardLoop);
 
@@ -28,7 +28,8 @@ class NormalFilter {
   /// Throws: WorkCancelled; the normals are then those of before.
   void pass(const LoopPart& part = kUnheardLoop);
 
-  /// One per triangle of the mesh. All 0 for a triangle that is no surface, or has no area.
+  /// One per triangle of the mesh. All 0 for a triangle that is no surface. One without area has no
+  /// normal at first, and takes that of its ring.
   std::span<const NormalAndArea> normals() const { return {now_.data(), now_.size()}; }
 
  private:
