@@ -1,6 +1,6 @@
 // Measures denoising that keeps edges: errors of normals and places for each shape, noise and
-// preset, triangles that turn over on odd scans, and CPU seconds. denoise_bench [--out FOLDER]
-// [MESH]... Mesh files are tried as odd scans.
+// preset, of the layer alone and of whole filters; triangles that turn over on odd scans; and CPU
+// seconds. denoise_bench [--out FOLDER] [MESH]... Mesh files are tried as odd scans.
 
 #include <algorithm>
 #include <cstdio>
@@ -18,6 +18,7 @@
 #include "common/denoise/normal_layer.h"
 #include "common/generate/generate.h"
 #include "common/mesh/mesh_io.h"
+#include "tests/bench/denoise_filter.h"
 #include "tests/bench/report.h"
 #include "tests/bench/timing.h"
 #include "tests/common/denoise/shape_error.h"
@@ -30,19 +31,20 @@ struct Arguments {
   std::vector<std::string> meshes;
 };
 
-/// A clean shape, and what noise it gets.
+/// A clean shape, what noise it gets, and which preset is for it.
 struct Case {
   const char* kind;
   uint64_t vertices;
   const char* noise;
   double deviation;  // over the mean edge
+  const char* preset;
 };
 constexpr Case kCases[] = {
-    {"part", 7000, "gauss", 0.1},     {"part", 7000, "gauss", 0.2},
-    {"part", 7000, "gauss", 0.3},     {"part", 7000, "scanner", 0.15},
-    {"coin", 14400, "gauss", 0.1},    {"coin", 14400, "gauss", 0.2},
-    {"coin", 14400, "scanner", 0.15}, {"icosphere", 10242, "gauss", 0.2},
-    {"blob", 12000, "gauss", 0.2},
+    {"part", 7000, "gauss", 0.1, "machined"},   {"part", 7000, "gauss", 0.2, "machined"},
+    {"part", 7000, "gauss", 0.3, "machined"},   {"part", 7000, "scanner", 0.15, "scanner"},
+    {"coin", 14400, "gauss", 0.1, "relief"},    {"coin", 14400, "gauss", 0.2, "relief"},
+    {"coin", 14400, "scanner", 0.15, "relief"}, {"icosphere", 10242, "gauss", 0.2, "soft"},
+    {"blob", 12000, "gauss", 0.2, "soft"},      {"tablet", 30000, "range", 0.2, "relief"},
 };
 
 double cpu_seconds() {
@@ -67,12 +69,16 @@ TriangleMesh shape_of(const Case& of, double deviation) {
   return *generate_scan({of.kind, of.vertices, 1, deviation, *parse_noise_kind(of.noise)});
 }
 
+std::string noise_of(const Case& of) {
+  return of.noise + std::string(" ") + in_words("%g", of.deviation);
+}
+
 void add_error(const Case& of, const std::string& method, const TriangleMesh& clean,
                const TriangleMesh& noisy, const TriangleMesh& mesh, double seconds,
                BenchTable& table) {
   const ShapeError error = shape_error(clean, mesh);
-  table.add({std::string(of.kind), of.noise + std::string(" ") + in_words("%g", of.deviation),
-             method, error.angle, error.distance, error.volume, 100 * turned_share(noisy, mesh),
+  table.add({std::string(of.kind), noise_of(of), method, error.angle, error.distance, error.volume,
+             100 * turned_share(noisy, mesh),
              1e6 * seconds / static_cast<double>(mesh.triangles.size())});
 }
 
@@ -137,6 +143,24 @@ Status report_times(BenchTable& table) {
   return Status::ok();
 }
 
+using ReportShape = Status (*)(const NoisyShape&, BenchTable&);
+
+Status report_shapes(const char* name, ReportShape report_shape, BenchReport& report) {
+  BenchTable& table = report.add_table(name, {{"shape", "", 10},
+                                              {"noise", "", 13},
+                                              {"method", "", 26},
+                                              {"angle_degrees", "%.2f"},
+                                              {"rms_edges", "%.3f"},
+                                              {"volume_percent", "%.2f"},
+                                              {"turned_percent", "%.3f"}});
+  for (const Case& of : kCases) {
+    ASSIGN_OR_RETURN(const EdgePreset preset, find_edge_preset(of.preset));
+    RETURN_IF_ERROR(report_shape(
+        {of.kind, noise_of(of), shape_of(of, 0), shape_of(of, of.deviation), preset}, table));
+  }
+  return Status::ok();
+}
+
 Status report_all(const Arguments& arguments, BenchReport& report) {
   BenchTable& errors = report.add_table("errors", {{"shape", "", 10},
                                                    {"noise", "", 13},
@@ -147,6 +171,8 @@ Status report_all(const Arguments& arguments, BenchReport& report) {
                                                    {"turned_percent", "%.3f"},
                                                    {"cpu_s_per_million", "%.2f"}});
   for (const Case& of : kCases) RETURN_IF_ERROR(report_case(of, errors));
+  RETURN_IF_ERROR(report_shapes("whole filters", report_filtered, report));
+  RETURN_IF_ERROR(report_shapes("sharpened by 3", report_sharpened, report));
   BenchTable& odd = report.add_table("odd scans", {{"scan", "", 18},
                                                    {"method", "", 26},
                                                    {"triangles", "%.0f"},
