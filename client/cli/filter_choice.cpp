@@ -3,6 +3,7 @@
 #include "client/cli/command.h"
 #include "client/cli/in_range.h"
 #include "client/tools/own_presets.h"
+#include "common/base/check.h"
 #include "common/base/text_lines.h"
 #include "common/edit/wavelength.h"
 
@@ -133,9 +134,11 @@ static Status add_edges(const FilterChoice& choice, const ScanLengths& scan, Cha
   filter.passes = choice.edge_passes.value_or(filter.passes);
   filter.crispness = choice.crispness.value_or(filter.crispness);
   changes.emplace_back(SetEdges{filter});
-  if (choice.preset.empty() && !choice.alpha && !choice.wavelength && !choice.curve)
+  if (choice.preset.empty() && !choice.alpha && !choice.wavelength && !choice.curve) {
+    BURNISH_CHECK(scan.mean_edge > 0, "the front knows the scan's edges");
     changes.emplace_back(SetTransferCurve{
         TransferCurve(alpha_of_wavelength(scan.length_unit, kEdgeWaveEdges * scan.mean_edge))});
+  }
   return Status::ok();
 }
 

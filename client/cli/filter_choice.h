@@ -25,7 +25,8 @@ struct FilterChoice {
   std::optional<int> edge_passes;
 
   /// Returns whether the edits depend on the scan.
-  bool needs_scan() const { return wavelength || !preset.empty(); }
+  bool needs_scan() const { return wavelength || !preset.empty() || keeps_edges(); }
+  bool keeps_edges() const { return !keep_edges.empty() && edge_strength.value_or(1) > 0; }
 };
 
 /// Adds --alpha, --wavelength, --curve, --beta, --preset, --strength, --band, --palette,

@@ -42,7 +42,7 @@ struct PresetFilter {
 struct ScanLengths {
   double length_unit = 1;  ///< L
   double cell_size = 1;
-  double mean_edge = 1;
+  double mean_edge = 0;  ///< 0: unknown; only kept edges depend on it
 };
 
 /// Returns the filter of a preset on a scan. The strength runs from 0, which changes nothing, to 1.

@@ -1,6 +1,7 @@
 #include "common/wire/bands_wire.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "common/wire/edit_wire.h"
 
@@ -73,11 +74,11 @@ Result<EdgeFilter> from_wire(const v1::EdgeFilter& message) {
       message.kind() > v1::NORMAL_FILTER_KIND_EDGES)
     return invalid_argument("filter of normals " + std::to_string(message.kind()) +
                             " is none of 1 (bilateral), 2 (edges)");
-  constexpr uint32_t kBeyond = kNormalPassesMax + 1;  // is refused likewise
+  constexpr uint32_t kNumbersMax = std::numeric_limits<int>::max();
   return EdgeFilter{message.strength(),
                     message.kind() == v1::NORMAL_FILTER_KIND_EDGES ? NormalFilterKind::kEdges
                                                                    : NormalFilterKind::kBilateral,
-                    message.edge_angle(), static_cast<int>(std::min(message.passes(), kBeyond)),
+                    message.edge_angle(), static_cast<int>(std::min(message.passes(), kNumbersMax)),
                     message.crispness()};
 }
 

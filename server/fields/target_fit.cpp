@@ -15,8 +15,12 @@ using Mat3d = Eigen::Matrix3d;
 // Keeps the inverse where a cell's pieces lie in one plane: along its normal no gradient is known.
 constexpr double kUnknownShare = 1e-3;  // of the area
 
+// Of the length of a cell's mean normal. Two sides of a wall have 0, of an edge of 30 degrees 0.26.
+constexpr double kMeanNormalMin = 0.25;
+
 /// A triangle's tangent projection, which is its ∇x, and the gradients that are wanted of it.
 struct TriangleGradients {
+  Vec3d normal = Vec3d::Zero();  ///< the wanted one
   Mat3d own = Mat3d::Zero();
   Mat3d left = Mat3d::Zero();     ///< D
   Mat3d changed = Mat3d::Zero();  ///< c∇w + D
@@ -39,6 +43,7 @@ TriangleGradients gradients_of(const PreparedMesh& prepared, const SurfaceTarget
   }
   layer *= target.crispness;
   const Vec3d wanted = target.normals[triangle].cast<double>();
+  gradients.normal = wanted;
   gradients.left = -wanted * (wanted.transpose() * (gradients.own + layer));
   gradients.changed = layer + gradients.left;
   return gradients;
@@ -58,6 +63,7 @@ class CellFit {
  public:
   void add(const TriangleGradients& of, double area) {
     area_ += area;
+    normal_ += area * of.normal;
     own_ += area * of.own;
     left_ += area * of.left;
     changed_ += area * of.changed;
@@ -65,6 +71,7 @@ class CellFit {
 
   TargetGradient matrices() const {
     if (!(area_ > std::numeric_limits<double>::min())) return {};
+    if (normal_.norm() < kMeanNormalMin * area_) return {};
     const Mat3d inverse = (own_ / area_ + kUnknownShare * Mat3d::Identity()).inverse() / area_;
     return {rows_of(changed_ * inverse), rows_of(left_ * inverse)};
   }
@@ -77,6 +84,7 @@ class CellFit {
   }
 
   double area_ = 0;
+  Vec3d normal_ = Vec3d::Zero();
   Mat3d own_ = Mat3d::Zero(), left_ = Mat3d::Zero(), changed_ = Mat3d::Zero();
 };
 
@@ -92,7 +100,8 @@ void fit_cells(const PreparedMesh& prepared, const SurfaceTarget& target, const 
       const size_t end = end_of_cell(pieces, begin);
       CellFit fit;
       for (const CellPiece& piece : pieces.subspan(begin, end - begin))
-        fit.add(gradients_of(prepared, target, piece.triangle), area_in_cell(mesh, piece));
+        if (!target.normals[piece.triangle].isZero())
+          fit.add(gradients_of(prepared, target, piece.triangle), area_in_cell(mesh, piece));
       const auto cell = std::ranges::lower_bound(prepared.cells, pieces[begin].cell);
       if (cell != prepared.cells.end() && *cell == pieces[begin].cell)
         cells[cell - prepared.cells.begin()] = fit.matrices();
@@ -101,13 +110,19 @@ void fit_cells(const PreparedMesh& prepared, const SurfaceTarget& target, const 
   }
 }
 
+// Cutting the triangles is most of the work, and reports a phase of its own.
+Progress as_one_phase(const Progress& progress) {
+  if (!progress) return {};
+  return [&progress](std::string_view, double done) { return progress("gradients", done); };
+}
+
 Result<Matrices> fit(const PreparedMesh& prepared, const SurfaceTarget& target,
                      const Progress& progress) {
   MeshView view;
   view.vertices = prepared.vertices;
   view.triangles = prepared.triangles;
   const ScratchSpace space;
-  const ScratchArray<Vec3d> positions = snapped_positions(view, prepared.frame, space, progress);
+  const ScratchArray<Vec3d> positions = snapped_positions(view, prepared.frame, space, {});
   const GridMesh mesh = {prepared.triangles, positions, prepared.frame.depth};
   constexpr uint64_t kAnyNumber = std::numeric_limits<uint64_t>::max();
   ASSIGN_OR_RETURN(const PieceCount count, count_cell_pieces(mesh, kAnyNumber, progress));
@@ -123,7 +138,7 @@ Result<Matrices> fit(const PreparedMesh& prepared, const SurfaceTarget& target,
 Result<Matrices> fit_target(const PreparedMesh& prepared, const SurfaceTarget& target,
                             const Progress& progress) {
   try {
-    return fit(prepared, target, progress);
+    return fit(prepared, target, as_one_phase(progress));
   } catch (const WorkCancelled&) {
     return cancelled("cancelled while fitting the wanted gradients");
   }

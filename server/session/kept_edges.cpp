@@ -2,11 +2,18 @@
 
 #include <algorithm>
 
+#include "common/base/out_of_memory.h"
 #include "server/fields/target_fit.h"
 
 namespace burnish {
 
 Status KeptEdges::want(const Fields& fields, const Progress& progress) {
+  const Status made = with_memory_for("keeping edges", [&] { return make(fields, progress); });
+  if (!made.is_ok()) give_up();
+  return made;
+}
+
+Status KeptEdges::make(const Fields& fields, const Progress& progress) {
   const EdgeFilter& filter = fields.settings().edges;
   if (!filter.is_on()) {
     filter_.strength = 0;
@@ -15,13 +22,8 @@ Status KeptEdges::want(const Fields& fields, const Progress& progress) {
   const bool is_new = normals_.empty() || filter.kind != filter_.kind ||
                       filter.edge_angle != filter_.edge_angle || filter.passes != filter_.passes;
   const bool is_fit_new = is_new || filter.crispness != filter_.crispness;
-  Status made;
-  if (is_new) made = filter_normals(filter, progress);
-  if (is_fit_new && made.is_ok()) made = fit(filter, progress);
-  if (!made.is_ok()) {
-    give_up();
-    return made;
-  }
+  if (is_new) RETURN_IF_ERROR(filter_normals(filter, progress));
+  if (is_fit_new) RETURN_IF_ERROR(fit(filter, progress));
   if (is_fit_new || fields.hold() != hold_) hold(fields.hold());
   filter_ = filter;
   return Status::ok();
@@ -64,9 +66,10 @@ static TargetGradient times(float factor, TargetGradient of) {
 void KeptEdges::hold(const std::shared_ptr<const Hold>& hold) {
   hold_ = hold;
   ++version_;
-  cells_ = fitted_;
+  cells_.clear();
   free_.clear();
   if (!hold || hold->weight.empty()) return;
+  cells_ = fitted_;
   for (size_t c = 0; c < cells_.size(); ++c) cells_[c] = times(1 - hold->weight[c], cells_[c]);
   free_vertices(*hold);
 }
@@ -92,15 +95,41 @@ void KeptEdges::free_vertices(const Hold& hold) {
 
 TargetView KeptEdges::target() const {
   if (!is_on()) return {};
-  return {cells_, filter_.strength, version_};
+  return {cells_.empty() ? fitted_ : cells_, filter_.strength, version_};
+}
+
+// Drops the layer of places around triangles that have turned. Returns whether there were any.
+bool KeptEdges::stop_turned(std::span<const Vec3d> positions, std::vector<float>& part) const {
+  const WeldedSurface& welded = surface_->welded;
+  const auto at = [&](uint32_t v) -> Vec3d {
+    return positions[v] + part[v] * layer_[v].cast<double>();
+  };
+  bool any = false;
+  for (size_t t = 0; t < welded.triangle_count(); ++t) {
+    if (!welded.is_surface(t)) continue;
+    const auto& [a, b, c] = prepared_.triangles[t];
+    const auto& before = prepared_.vertices;
+    const Vec3d was = (before[b] - before[a]).cross(before[c] - before[a]);
+    if (!(was.dot((at(b) - at(a)).cross(at(c) - at(a))) < 0)) continue;
+    for (const uint32_t place : welded.triangle(t)) {
+      any |= part[place] != 0;
+      part[place] = 0;
+    }
+  }
+  for (size_t v = 0; any && v < part.size(); ++v) part[v] = part[welded.place(v)];
+  return any;
 }
 
 void KeptEdges::add_layer(std::span<Vec3d> positions) const {
   if (!is_on()) return;
-  const double part = filter_.strength * filter_.crispness;
-#pragma omp parallel for schedule(static)
+  constexpr int kRounds = 8;
+  const double whole = filter_.strength * filter_.crispness;
+  std::vector<float> part(positions.size(), static_cast<float>(whole));
+  for (size_t v = 0; v < free_.size(); ++v) part[v] *= free_[v];
+  for (int round = 0; round < kRounds && stop_turned(positions, part); ++round) {
+  }
   for (size_t v = 0; v < positions.size(); ++v)
-    positions[v] += (free_.empty() ? part : part * free_[v]) * layer_[v].cast<double>();
+    positions[v] += double{part[v]} * layer_[v].cast<double>();
 }
 
 }  // namespace burnish

@@ -14,7 +14,7 @@
 namespace burnish {
 
 /// What keeps edges while a surface is denoised: filtered normals, the layer of moves towards them,
-/// and the gradients that the solver should reach. Costs nothing while edges are not kept.
+/// and the gradients that the solver should reach. Costs nothing before edges are first kept.
 class KeptEdges {
  public:
   /// Needs: both outlive this.
@@ -26,12 +26,13 @@ class KeptEdges {
   /// strength costs nothing. Fails: cancelled; resource_exhausted; then edges are not kept.
   Status want(const Fields& fields, const Progress& progress = {});
 
-  bool is_on() const { return filter_.is_on() && !cells_.empty(); }
+  bool is_on() const { return filter_.is_on() && !fitted_.empty(); }
 
   /// Returns the solver's part. Valid until the next want().
   TargetView target() const;
 
-  /// Adds the layer to the vertices. Shapes: one per vertex, file units.
+  /// Adds the layer to the vertices, except around triangles that would turn by more than 90
+  /// degrees against the scan's with it. Shapes: one per vertex, file units.
   void add_layer(std::span<Vec3d> positions) const;
 
   uint64_t byte_count() const {
@@ -42,11 +43,13 @@ class KeptEdges {
   }
 
  private:
+  Status make(const Fields& fields, const Progress& progress);
   Status filter_normals(const EdgeFilter& filter, const Progress& progress);
   Status fit(const EdgeFilter& filter, const Progress& progress);
   void hold(const std::shared_ptr<const Hold>& hold);
   void give_up();
   void free_vertices(const Hold& hold);
+  bool stop_turned(std::span<const Vec3d> positions, std::vector<float>& part) const;
 
   static constexpr uint64_t kSurfaceBytesPerTriangle = 90;
 
@@ -57,7 +60,7 @@ class KeptEdges {
   std::vector<Vec3f> normals_;          // one per triangle
   std::vector<Vec3f> layer_;            // one per vertex, at crispness 1; file units
   std::vector<TargetGradient> fitted_;  // one per cell
-  std::vector<TargetGradient> cells_;   // likewise, less where cells are held
+  std::vector<TargetGradient> cells_;   // likewise, less where cells are held; empty: none is
   std::vector<float> free_;             // one per vertex: 0 where it is held; empty: all are free
   std::shared_ptr<const Hold> hold_;
   uint64_t version_ = 0;

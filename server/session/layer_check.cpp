@@ -17,6 +17,8 @@ Status LayerCheck::check(const Edit& edit, const Settings& after) const {
   if (const auto* stroke = std::get_if<Stroke>(&edit.change)) return check_brush(stroke->brush);
   if (after.edges.is_on() && after.controls.keep_volume)
     return failed_precondition("the volume cannot be kept while edges are kept");
+  if (after.edges.is_on() && !after.equaliser.bands.empty())
+    return failed_precondition("bands cannot stand beside kept edges: they have the scan's noise");
   if (after.palette == settings_.palette && after.curve == settings_.curve) return Status::ok();
   return check_beside(after.palette, after.curve);
 }

@@ -201,9 +201,9 @@ bool Session::is_exact(const StepReport& last) const {
 
 Result<SolveReport> Session::solve(const SolveOptions& options, const Progress& progress) {
   RETURN_IF_ERROR(state_->edited.catch_up(progress));
+  RETURN_IF_ERROR(state_->edges.want(state_->edited.fields(), progress));
   EditedFields::Changes changes = state_->edited.take_changes();
   changes |= state_->previews.set_aside();
-  RETURN_IF_ERROR(state_->edges.want(state_->edited.fields(), progress));
   state_->update_for(options, changes);
   if (options.exact && is_exact(state_->last))
     return SolveReport{.converged = true, .last = state_->last};
@@ -278,7 +278,9 @@ std::vector<Vec3d> Session::evaluated_vertices() {
                           !ShownDisplacement::is_needed(controls, fields);
   if (is_solvers) return state_->solver->evaluate_vertices();
   const SparseGrid& grid = state_->hierarchy->at(state_->hierarchy->finest).grid;
-  const auto shown = state_->shown.of(state_->mixed(fields), controls, fields, true);
+  Controls of_corners = controls;
+  if (state_->edges.is_on()) of_corners.cap = 0;  // it bounds the sum with the layer
+  const auto shown = state_->shown.of(state_->mixed(fields), of_corners, fields, true);
   std::vector<Vec3d> positions(prepared.vertices.begin(), prepared.vertices.end());
 #pragma omp parallel for schedule(static)
   for (size_t v = 0; v < positions.size(); ++v)

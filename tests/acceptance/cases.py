@@ -105,6 +105,6 @@ def applies(case, facts):
     """Returns whether a scan can take the case: others are refused, which is tried as well."""
     if case.has("--colour-beta") and not facts.has_colours:
         return False
-    if case.has("--keep-volume") and case.has("--keep-edges"):
+    if case.has("--keep-edges") and (case.has("--keep-volume") or case.has("--band")):
         return False
     return not (case.has("--keep-volume") and not facts.is_closed)

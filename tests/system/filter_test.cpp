@@ -505,9 +505,15 @@ TEST_F(FilterCommand, WordsOfKeptEdgesAreChecked) {
   EXPECT_EQ(burnish({"filter", in(), out(), "--crispness", "1"}), 2);
   EXPECT_THAT(output_, HasSubstr("--keep-edges"));
   EXPECT_EQ(burnish({"filter", in(), out(), "--keep-edges", "soft", "--backend", "cuda"}), 1);
-  EXPECT_THAT(output_, HasSubstr("processors only"));
+  EXPECT_THAT(output_, HasSubstr("--keep-edges cannot stand beside --backend cuda"));
   EXPECT_EQ(burnish({"filter", in(), out(), "--keep-edges", "soft", "--keep-volume", "on"}), 1);
-  EXPECT_THAT(output_, HasSubstr("the volume cannot be kept while edges are kept"));
+  EXPECT_THAT(output_, HasSubstr("--keep-edges cannot stand beside --keep-volume on"));
+  EXPECT_EQ(burnish({"filter", in(), out(), "--keep-edges", "soft", "--band", "1:0"}), 1);
+  EXPECT_THAT(output_, HasSubstr("--keep-edges cannot stand beside --band"));
+  EXPECT_EQ(burnish({"filter", in(), out(), "--keep-edges", "relief", "--preset",
+                     "Bring out an inscription"}),
+            1);
+  EXPECT_THAT(output_, HasSubstr("--keep-edges cannot stand beside --preset 'Bring out"));
 }
 
 TEST_F(FilterCommand, ADepthBeyondTheMachinesMemoryIsRefusedWithWhatItTakes) {

@@ -43,11 +43,28 @@ Status make_out_dir(const FilterOptions& options) {
   return Status::ok();
 }
 
+/// What cannot stand beside kept edges is refused before the work.
+Status check_edges(const FilterOptions& options) {
+  if (!options.filter.keeps_edges()) return Status::ok();
+  const auto beside = [](const std::string& option, const char* why) {
+    return unimplemented("--keep-edges cannot stand beside " + option + ": " + why);
+  };
+  constexpr const char* kNoisy = "bands have the scan's noise";
+  if (options.solver.backend == BackendKind::kCuda)
+    return beside("--backend cuda", "edges are kept on processors");
+  if (options.controls.over(kNewSessionControls).keep_volume)
+    return beside("--keep-volume on", "the layer that keeps edges is not in the volume");
+  if (!options.filter.equaliser.bands.empty()) return beside("--band", kNoisy);
+  if (options.filter.preset.empty()) return Status::ok();
+  ASSIGN_OR_RETURN(const Preset preset, find_any_preset(options.filter.preset));
+  if (!preset.bands.empty()) return beside("--preset '" + preset.name + "'", kNoisy);
+  return Status::ok();
+}
+
 /// Fails: as the filter's own files cannot be read; not_found for an unknown preset; unimplemented
-/// for edges on a device.
+/// for what cannot stand beside kept edges.
 Result<std::vector<Edit>> check_filter(const FilterOptions& options) {
-  if (!options.filter.keep_edges.empty() && options.solver.backend == BackendKind::kCuda)
-    return unimplemented("--keep-edges works on processors only: leave --backend cuda out");
+  RETURN_IF_ERROR(check_edges(options));
   if (!options.filter.preset.empty())
     RETURN_IF_ERROR(find_any_preset(options.filter.preset).status());
   return read_edits(options);

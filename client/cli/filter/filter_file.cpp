@@ -16,16 +16,32 @@ namespace burnish {
 
 namespace {
 
+// Devices do not lead a surface to other gradients yet.
+SolverOptions solver_of(const FilterOptions& options) {
+  SolverOptions solver = options.solver;
+  if (options.filter.keeps_edges()) solver.backend = BackendKind::kCpu;
+  return solver;
+}
+
+/// Bytes of the filter of normals, of its layer and of the wanted gradients.
+uint64_t edge_bytes(const PreparationCounts& counts) {
+  constexpr uint64_t kPerTriangle = 210, kPerVertex = 60, kPerCell = 72, kPerPiece = 16;
+  return kPerTriangle * counts.triangles + kPerVertex * counts.vertices + kPerCell * counts.cells +
+         kPerPiece * counts.pieces;
+}
+
 /// Allows as much memory as this machine has, first for the preparation, then for the mesh with its
 /// session.
 class FilterBudget final : public MachineBudget {
  public:
-  explicit FilterBudget(const SolverOptions& solver)
-      : device_bytes_max_(device_bytes_max(solver.backend, solver.devices)) {}
+  explicit FilterBudget(const FilterOptions& options)
+      : device_bytes_max_(device_bytes_max(solver_of(options).backend, solver_of(options).devices)),
+        keeps_edges_(options.filter.keeps_edges()) {}
 
   Status ask(const PreparationNeed& need) override {
     RETURN_IF_ERROR(MachineBudget::ask(need));
-    const uint64_t bytes = predict_opened_bytes(need, device_bytes_max_);
+    uint64_t bytes = predict_opened_bytes(need, device_bytes_max_);
+    if (keeps_edges_) bytes += edge_bytes(need.counts);
     if (bytes <= memory_bytes_max()) return Status::ok();
     return resource_exhausted("solving takes " + std::to_string(bytes >> 20) +
                               " MiB; the machine has " + std::to_string(memory_bytes_max() >> 20) +
@@ -34,6 +50,7 @@ class FilterBudget final : public MachineBudget {
 
  private:
   const uint64_t device_bytes_max_;
+  const bool keeps_edges_;
 };
 
 class Stopwatch {
@@ -94,13 +111,6 @@ Result<Multigrid> make_hierarchy(const std::shared_ptr<const PreparedMesh>& prep
   return multigrid;
 }
 
-// Devices do not lead a surface to other gradients yet.
-SolverOptions solver_of(const FilterOptions& options) {
-  SolverOptions solver = options.solver;
-  if (!options.filter.keep_edges.empty()) solver.backend = BackendKind::kCpu;
-  return solver;
-}
-
 void warn_unless_converged(const FilterOptions& options, const SolveReport& solve) {
   if (solve.last.fell_back)
     std::cerr << "warning: a step of the solver was not sound; a plainer smoother went on\n";
@@ -137,7 +147,7 @@ Result<FilteredFacts> filter_file(const FilterOptions& options, const std::vecto
   ASSIGN_OR_RETURN(const FilterFormats formats, check_filter_paths(options, paths));
   FilterRun run;
   ProgressPrinter printer(options.progress);
-  FilterBudget budget(options.solver);
+  FilterBudget budget(options);
   PrepareOptions prepare_options = options.prepare;
   prepare_options.budget = &budget;
   const Stopwatch reading;
@@ -154,7 +164,9 @@ Result<FilteredFacts> filter_file(const FilterOptions& options, const std::vecto
     RETURN_IF_ERROR(write_fields_file(*session, options.fields_file));
   ASSIGN_OR_RETURN(run.solve, session->solve(options.solve, printer.progress()));
   const Stopwatch writing;
-  const TriangleMesh surface = session->surface();
+  ASSIGN_OR_RETURN(const TriangleMesh surface,
+                   with_memory_for("the filtered surface",
+                                   [&]() -> Result<TriangleMesh> { return session->surface(); }));
   RETURN_IF_ERROR(write_surface(options, paths, formats,
                                 {mesh.vertices, surface, session->edited().controls().cap}));
   run.write_seconds = writing.seconds();

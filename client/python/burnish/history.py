@@ -38,7 +38,7 @@ class Entry:
     time: datetime.datetime
     kind: str
     """gradient scale, transfer curve, stroke, cell fields, controls, protect, equaliser, palette,
-    colour, checkpoint or damaged; other where neither program knows more: see the summary."""
+    colour, edges, checkpoint or damaged; other where neither program knows more: see the summary."""
     summary: str
     """In a few words; a checkpoint's name."""
     enabled: bool

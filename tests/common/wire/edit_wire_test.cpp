@@ -122,7 +122,7 @@ TEST(EditWire, KeptEdgesAreChecked) {
   v1::EdgeFilter& edges = *message.mutable_edges();
   edges.set_edge_angle(35);
   edges.set_passes(0xffffffff);
-  EXPECT_THAT(refusal(message), HasSubstr("edges: passes 101 is outside 1..100"));
+  EXPECT_THAT(refusal(message), HasSubstr("edges: passes 2147483647 is outside 1..100"));
   edges.set_passes(5);
   EXPECT_EQ(refusal(message), "accepted");
   edges.set_strength(1.5);

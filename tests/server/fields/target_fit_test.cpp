@@ -1,5 +1,7 @@
 #include "server/fields/target_fit.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "common/base/parallel.h"
@@ -91,6 +93,27 @@ TEST(TargetFit, ALayerCountsByItsCrispness) {
     const Mat3d left = -wanted * wanted.transpose() * (Mat3d::Identity() + layer);
     square.expect_matrices({square.normals, square.layer, crispness}, layer + left, left);
   }
+}
+
+// Few cells have one side alone.
+TEST(TargetFit, TwoSidesOfAWallInACellHaveNoTarget) {
+  TriangleMesh wall = reference::grid_surface(12, 12, false, [](double u, double v) -> Vec3d {
+    return {u, v, 0.3 * u + 0.2 * v};
+  });
+  const TriangleMesh front = wall;
+  const auto vertices = static_cast<uint32_t>(front.vertices.size());
+  for (const Vec3d& p : front.vertices) wall.vertices.emplace_back(p + Vec3d(0, 0, 1e-3));
+  for (const Triangle& t : front.triangles)
+    wall.triangles.push_back({t[1] + vertices, t[0] + vertices, t[2] + vertices});
+  const auto prepared = prepared_at_depth_4(wall);
+  std::vector<Vec3f> normals = normals_of(*prepared);
+  for (Vec3f& normal : normals) normal = (normal + Vec3f(0.2F, 0, 0)).normalized();
+  const std::vector<Vec3f> layer(prepared->vertices.size(), Vec3f::Zero());
+  const auto cells = fit_target(*prepared, {normals, layer, 1});
+  ASSERT_TRUE(cells.is_ok());
+  const auto without = std::ranges::count_if(
+      *cells, [](const TargetGradient& cell) { return cell.of_target == std::array<float, 9>{}; });
+  EXPECT_GT(without, 0.8 * static_cast<double>(cells->size()));
 }
 
 TEST(TargetFit, IsTheSameForAnyNumberOfThreads) {

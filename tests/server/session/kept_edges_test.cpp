@@ -17,10 +17,12 @@ struct NoisyPart {
   TriangleMesh clean = *generate_scan({"part", 2500, 1, 0.0});
   TriangleMesh noisy = *generate_scan({"part", 2500, 1, 0.2, *parse_noise_kind("gauss")});
 
-  SetTransferCurve waves() const {
-    const MeshStatistics of = compute_statistics(noisy);
-    return {TransferCurve(
-        alpha_of_wavelength(std::sqrt(of.area), kEdgeWaveEdges * of.mean_edge_length))};
+  SetTransferCurve waves() const { return waves(noisy); }
+  /// Returns the same wavelength for a mesh of another area.
+  SetTransferCurve waves(const TriangleMesh& mesh) const {
+    const double wavelength = kEdgeWaveEdges * compute_statistics(noisy).mean_edge_length;
+    const double area = compute_statistics(mesh).area;
+    return {TransferCurve(alpha_of_wavelength(std::sqrt(area), wavelength))};
   }
   TriangleMesh filtered(const std::vector<Change>& changes) const {
     return exact_surface(*session_over(noisy, 6), changes);
@@ -127,6 +129,28 @@ TEST(KeptEdges, NothingMovesMoreThanTheCap) {
   const TriangleMesh kept = part.filtered({part.waves(), machined(), SetControls{{.cap = cap}}});
   EXPECT_LE(farthest(kept, part.noisy), cap * (1 + 1e-12));
   EXPECT_GT(farthest(kept, part.noisy), 0.99 * cap);
+}
+
+TEST(KeptEdges, ATriangleThatIsListedTwiceCountsOnce) {
+  const NoisyPart part;
+  TriangleMesh twice = part.noisy;
+  for (const Triangle& t : part.noisy.triangles) twice.triangles.push_back({t[1], t[0], t[2]});
+  SetEdges half = machined();
+  half.filter.crispness = 0.5;
+  const SetGradientScale sharper{2};
+  const TriangleMesh once = part.filtered({part.waves(), half, sharper});
+  const TriangleMesh doubled =
+      exact_surface(*session_over(twice, 6), {part.waves(twice), half, sharper});
+  EXPECT_LT(farthest(once, doubled), 1e-6 * compute_statistics(part.noisy).diagonal());
+}
+
+TEST(KeptEdges, BandsAreRefusedBesideThem) {
+  LayerCheck check({});
+  ASSERT_TRUE(check.take({"1", machined()}).is_ok());
+  const Status refused = check.take({"2", SetEqualiser{{{{0.5, 2}}}}});
+  EXPECT_EQ(refused.code(), StatusCode::kFailedPrecondition);
+  EXPECT_THAT(refused.message(), HasSubstr("bands"));
+  EXPECT_TRUE(check.take({"3", at_strength(0)}).is_ok());
 }
 
 TEST(KeptEdges, AVolumeIsNotKeptBesideThem) {
