@@ -1,5 +1,8 @@
 #include "server/session/session.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "common/base/out_of_memory.h"
 #include "common/evaluation/evaluation.h"
 #include "server/metrics/live_objects.h"
@@ -262,11 +265,14 @@ std::vector<Vec3d> Session::moved_vertices() {
   return positions;
 }
 
+// The move between rounded places is within the cap, too.
 static void cap_moves(std::span<const Vec3d> from, double cap, std::span<Vec3d> positions) {
 #pragma omp parallel for schedule(static)
   for (size_t v = 0; v < positions.size(); ++v) {
     const Vec3d move = positions[v] - from[v];
-    if (move.norm() > cap) positions[v] = from[v] + cap / move.norm() * move;
+    const double rounding = 8 * std::numeric_limits<double>::epsilon() * positions[v].norm();
+    const double most = std::max(cap - rounding, 0.0);
+    if (move.norm() > most) positions[v] = from[v] + most / move.norm() * move;
   }
 }
 
