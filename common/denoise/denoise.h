@@ -14,7 +14,7 @@
 
 namespace burnish {
 
-/// What the filters need of a mesh. It depends on no option.
+/// The parts of a mesh that the filters need. They depend on no option.
 struct DenoiseSurface {
   /// Needs: a valid mesh, whose arrays outlive this. Throws: WorkCancelled, std::bad_alloc.
   explicit DenoiseSurface(const MeshView& mesh, const ScratchSpace& space = {},

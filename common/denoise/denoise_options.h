@@ -13,7 +13,7 @@ inline constexpr double kSigmaMin = 0.04;  ///< of DenoiseOptions
 inline constexpr double kSigmaMax = 1.5;
 inline constexpr double kCrispnessMax = 1;
 
-/// What a denoising that keeps edges does.
+/// The options of a denoising that keeps edges.
 struct DenoiseOptions {
   NormalFilterKind kind = NormalFilterKind::kBilateral;
   /// Differences of unit normals above about twice this are edges.

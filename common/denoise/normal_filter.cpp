@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-// Of the mean distance of centres. A guided triangle does not stray over edges, so it looks
+// A share of the mean distance of centres. A guided triangle does not stray over edges, so it looks
 // further.
 static constexpr double kBilateralReach = 1, kGuidedReach = 2;
 static constexpr float kGuideSharpness = 5;  // 1/τ of unevenness; below 2 edges melt

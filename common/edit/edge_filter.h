@@ -25,7 +25,7 @@ struct EdgeFilter {
   double strength = 0;  ///< 0 to 1
   NormalFilterKind kind = NormalFilterKind::kBilateral;
   double edge_angle = 35;  ///< degrees; sharper bends are edges
-  /// Of the filter. Noise of up to about an edge's length times their root goes.
+  /// The filter's passes. Noise of up to about an edge's length times their root goes.
   int passes = 20;
   double crispness = 1;  ///< 0 to 1: low for relief, high for machined parts
   bool operator==(const EdgeFilter&) const = default;

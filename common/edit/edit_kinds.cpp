@@ -51,7 +51,7 @@ Status check_cells(const SetCellFields& change) {
   return Status::ok();
 }
 
-/// What holds for all edits of a kind.
+/// The facts that hold for all edits of a kind.
 struct EditKindFacts {
   EditKind kind;
   const char* name;

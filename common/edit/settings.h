@@ -4,7 +4,7 @@
 
 namespace burnish {
 
-/// What the last edit of each kind sets for a whole session.
+/// The values that the last edit of each kind sets for a whole session.
 struct Settings {
   double beta = kBetaDefault;  ///< of cells that are not painted
   TransferCurve curve{kAlphaDefault};

@@ -11,7 +11,7 @@
 
 namespace burnish {
 
-/// What kind of noise a generated scan gets.
+/// The kind of noise that a generated scan gets.
 enum class NoiseKind {
   kRange,    ///< a range scanner's: half of its power is smooth over two edges
   kGauss,    ///< Gaussian, of each vertex's own

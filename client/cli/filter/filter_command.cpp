@@ -43,7 +43,7 @@ Status make_out_dir(const FilterOptions& options) {
   return Status::ok();
 }
 
-/// What cannot stand beside kept edges is refused before the work.
+/// Refuses, before the work, what cannot stand beside kept edges.
 Status check_edges(const FilterOptions& options) {
   if (!options.filter.keeps_edges()) return Status::ok();
   const auto beside = [](const std::string& option, const char* why) {
