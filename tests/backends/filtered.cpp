@@ -37,6 +37,11 @@ Filtered& Filtered::palette(const Palette& palette) {
   return *this;
 }
 
+Filtered& Filtered::edges(const EdgeFilter& filter) {
+  must(session_->apply({std::to_string(edits_++), SetEdges{filter}}));
+  return *this;
+}
+
 Filtered& Filtered::controls(const Controls& controls) {
   must(session_->apply({std::to_string(edits_++), SetControls{controls}}));
   return *this;

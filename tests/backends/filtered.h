@@ -19,6 +19,7 @@ class Filtered {
   Filtered& beta(double beta);
   Filtered& paint(const Stroke& stroke);
   Filtered& palette(const Palette& palette);
+  Filtered& edges(const EdgeFilter& filter);
   Filtered& controls(const Controls& controls);
 
   /// Returns the vertices after exactly this many steps.

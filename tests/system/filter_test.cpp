@@ -504,8 +504,6 @@ TEST_F(FilterCommand, WordsOfKeptEdgesAreChecked) {
   EXPECT_THAT(output_, HasSubstr("3 is outside 5 to 120"));
   EXPECT_EQ(burnish({"filter", in(), out(), "--crispness", "1"}), 2);
   EXPECT_THAT(output_, HasSubstr("--keep-edges"));
-  EXPECT_EQ(burnish({"filter", in(), out(), "--keep-edges", "soft", "--backend", "cuda"}), 1);
-  EXPECT_THAT(output_, HasSubstr("--keep-edges cannot stand beside --backend cuda"));
   EXPECT_EQ(burnish({"filter", in(), out(), "--keep-edges", "soft", "--keep-volume", "on"}), 1);
   EXPECT_THAT(output_, HasSubstr("--keep-edges cannot stand beside --keep-volume on"));
   EXPECT_EQ(burnish({"filter", in(), out(), "--keep-edges", "soft", "--band", "1:0"}), 1);

@@ -50,8 +50,6 @@ Status check_edges(const FilterOptions& options) {
     return unimplemented("--keep-edges cannot stand beside " + option + ": " + why);
   };
   constexpr const char* kNoisy = "bands have the scan's noise";
-  if (options.solver.backend == BackendKind::kCuda)
-    return beside("--backend cuda", "edges are kept on processors");
   if (options.controls.over(kNewSessionControls).keep_volume)
     return beside("--keep-volume on", "the layer that keeps edges is not in the volume");
   if (!options.filter.equaliser.bands.empty()) return beside("--band", kNoisy);

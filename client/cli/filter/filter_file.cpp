@@ -16,13 +16,6 @@ namespace burnish {
 
 namespace {
 
-// Devices do not lead a surface to other gradients yet.
-SolverOptions solver_of(const FilterOptions& options) {
-  SolverOptions solver = options.solver;
-  if (options.filter.keeps_edges()) solver.backend = BackendKind::kCpu;
-  return solver;
-}
-
 /// Bytes of the filter of normals, of its layer and of the wanted gradients.
 uint64_t edge_bytes(const PreparationCounts& counts) {
   constexpr uint64_t kPerTriangle = 210, kPerVertex = 60, kPerCell = 72, kPerPiece = 16;
@@ -35,7 +28,7 @@ uint64_t edge_bytes(const PreparationCounts& counts) {
 class FilterBudget final : public MachineBudget {
  public:
   explicit FilterBudget(const FilterOptions& options)
-      : device_bytes_max_(device_bytes_max(solver_of(options).backend, solver_of(options).devices)),
+      : device_bytes_max_(device_bytes_max(options.solver.backend, options.solver.devices)),
         keeps_edges_(options.filter.keeps_edges()) {}
 
   Status ask(const PreparationNeed& need) override {
@@ -158,7 +151,7 @@ Result<FilteredFacts> filter_file(const FilterOptions& options, const std::vecto
   if (!preparing.is_ok()) return preparing.status().with_context(paths.in.string());
   const auto& prepared = *preparing;
   ASSIGN_OR_RETURN(const Multigrid multigrid, make_hierarchy(prepared, printer.progress(), run));
-  ASSIGN_OR_RETURN(const auto session, Session::open(multigrid, solver_of(options)));
+  ASSIGN_OR_RETURN(const auto session, Session::open(multigrid, options.solver));
   RETURN_IF_ERROR(apply_edits(options, edits, *session));
   if (!options.fields_file.empty())
     RETURN_IF_ERROR(write_fields_file(*session, options.fields_file));

@@ -5,12 +5,12 @@
 #include <optional>
 #include <utility>
 
-#include "common/base/check.h"
 #include "server/solver/cuda/assembly/assembly.h"
 #include "server/solver/cuda/assembly/cell_shares.h"
 #include "server/solver/cuda/assembly/combined_cells.h"
 #include "server/solver/cuda/assembly/constraint.h"
 #include "server/solver/cuda/assembly/device_alpha.h"
+#include "server/solver/cuda/assembly/device_target.h"
 #include "server/solver/cuda/assembly/gradient_scale.h"
 #include "server/solver/cuda/assembly/signal.h"
 #include "server/solver/cuda/device/graphs.h"
@@ -79,9 +79,9 @@ class CudaBackend final : public Backend {
   uint64_t byte_count() const override {
     uint64_t bytes = readout_.byte_count() + outer_->byte_count() +
                      (coarsest_ ? coarsest_->byte_count() : 0) + alpha_.byte_count() +
-                     beta_.byte_count() + gradients_.byte_count() + gradient_rests_.byte_count() +
-                     signal_.byte_count() + combined_.byte_count() + coarse_combined_.byte_count() +
-                     patches_->byte_count();
+                     beta_.byte_count() + target_.byte_count() + gradients_.byte_count() +
+                     gradient_rests_.byte_count() + signal_.byte_count() + combined_.byte_count() +
+                     coarse_combined_.byte_count() + patches_->byte_count();
     for (const DeviceDepth& depth : depths_) bytes += depth.byte_count();
     for (const auto& smoother : smoothers_) bytes += smoother->byte_count();
     return bytes;
@@ -132,9 +132,9 @@ class CudaBackend final : public Backend {
 
   void set_constraint(const FieldsView& fields) override {
     if (!stream_.is_ok()) return;
-    BURNISH_CHECK(!fields.target.is_active(), "devices have no targets yet");
     beta_.set(fields);
-    assemble_constraint(stream_, finest(), gradients(), beta_.view(),
+    target_.set(stream_, fields.target);
+    assemble_constraint(stream_, finest(), gradients(), beta_.view(), target_.view(),
                         std::exchange(gradients_are_new_, false), outer_->constraint(),
                         outer_->residual());
     outer_->refresh_residual();
@@ -325,6 +325,7 @@ class CudaBackend final : public Backend {
   bool all_ratios_are_one_ = false;  // of α1 and α2
   bool is_first_metric_ = true;
   GradientScale beta_;
+  DeviceTarget target_;
   DeviceArray<float> gradients_, gradient_rests_;  // CellGradients
   DeviceArray<float3> signal_;                     // empty: the surface's own places
   DeviceArray<double> combined_;        // numbers of the finest depth: CellSquares, then sheets

@@ -103,13 +103,25 @@ struct NewGradientScale {
   ChunkList changed;
 };
 
+/// TargetGradient.
+struct alignas(8) TargetMatrices {
+  float of_scale[9], of_target[9];
+};
+
+/// TargetView.
+struct NewTarget {
+  const TargetMatrices* cells;  ///< null: there is no target
+  double strength;
+  bool is_new;  ///< cells may have other shares than before
+};
+
 /// The right-hand side for the displacement. For corner I it is slider_less_one · per_slider[I]; if
 /// slice I / kSliceRows of the corners is painted, plus own[I]. At pinned corners it counts as
 /// zero. The metric says which corners are pinned, and these numbers outlive it.
 struct Constraint {
   Double3 *per_slider, *own;
   double* slider_less_one;
-  uint8_t* is_painted;  ///< per slice: a cell there has paint
+  uint8_t* is_painted;  ///< per slice: a cell there has paint, or all cells have a target
   uint8_t* is_touched;  ///< working memory: slices with cells of new paint
 };
 
