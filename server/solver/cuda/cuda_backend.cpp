@@ -255,7 +255,7 @@ class CudaBackend final : public Backend {
       combine_integrals(stream_, mesh_->integrals(), metric, combined);
       assemble_coarsest(combined, beside);
     } else {
-      CellSquares<float> cells = {coarse_combined_.data(), topology(1).cell_count};
+      CellSquares<double> cells = {coarse_combined_.data(), topology(1).cell_count};
       combine_integrals(stream_, mesh_->integrals(), mesh_->sheets.view(), metric, combined,
                         topology(0), topology(1), cells);
       if (halo_ != nullptr) halo_->keep_largest(stream_, anisotropy_.data());
@@ -265,8 +265,8 @@ class CudaBackend final : public Backend {
       smoothers_.back()->fork();
       start_smoother(0, combined);
       for (size_t above = 2; above < depths_.size(); ++above) {
-        const CellSquares<float> coarse = {cells.numbers + topology(above - 1).number_count,
-                                           topology(above).cell_count};
+        const CellSquares<double> coarse = {cells.numbers + topology(above - 1).number_count,
+                                            topology(above).cell_count};
         down_sample(stream_, topology(above - 1), topology(above), cells, coarse);
         collect_at_border(above, coarse);
         start_matrix(above - 1, cells, {});
@@ -282,7 +282,7 @@ class CudaBackend final : public Backend {
   }
 
   // `above`: how many depths above the finest.
-  void collect_at_border(size_t above, const CellSquares<float>& cells) {
+  void collect_at_border(size_t above, const CellSquares<double>& cells) {
     if (halo_ != nullptr &&
         mesh_->on.hierarchy->finest - static_cast<int>(above) == halo_->border())
       halo_->collect(stream_, cells.numbers);
@@ -295,22 +295,19 @@ class CudaBackend final : public Backend {
   DepthSmoother& smoother_above(size_t above) { return *smoothers_[smoothers_.size() - 1 - above]; }
 
   // Makes the matrix from the depth's combined integrals, next to the stream's other work.
-  template <typename Real>
-  void start_matrix(size_t above, const CellSquares<Real>& cells, const BesideMatrix& beside) {
+  void start_matrix(size_t above, const CellSquares<double>& cells, const BesideMatrix& beside) {
     DepthSmoother& smoother = smoother_above(above);
     assemble(smoother.fork(), cells, view(above), beside, smoother.probe(),
              pinned_below_.data() + above);
   }
 
   // The combined integrals are no longer needed then: the smoother works in their place.
-  template <typename Real>
-  void start_smoother(size_t above, const CellSquares<Real>& cells) {
+  void start_smoother(size_t above, const CellSquares<double>& cells) {
     smoother_above(above).set_up({reinterpret_cast<float*>(cells.numbers), cells.cells},
                                  anisotropy_.data());
   }
 
-  template <typename Real>
-  void assemble_coarsest(const CellSquares<Real>& cells, const BesideMatrix& beside) {
+  void assemble_coarsest(const CellSquares<double>& cells, const BesideMatrix& beside) {
     assemble(stream_, cells, depths_[0].view(), beside, nullptr,
              pinned_below_.data() + smoothers_.size());
     coarsest_->factor();
@@ -328,8 +325,8 @@ class CudaBackend final : public Backend {
   DeviceTarget target_;
   DeviceArray<float> gradients_, gradient_rests_;  // CellGradients
   DeviceArray<float3> signal_;                     // empty: the surface's own places
-  DeviceArray<double> combined_;        // numbers of the finest depth: CellSquares, then sheets
-  DeviceArray<float> coarse_combined_;  // other depths, the finest first: CellSquares, then ties
+  DeviceArray<double> combined_;         // numbers of the finest depth: CellSquares, then sheets
+  DeviceArray<double> coarse_combined_;  // other depths, the finest first: CellSquares, then ties
   DeviceArray<float> pinned_below_, anisotropy_;
   std::vector<DeviceDepth> depths_;                        // the coarsest first
   std::vector<std::unique_ptr<DepthSmoother>> smoothers_;  // none at the coarsest

@@ -169,18 +169,18 @@ class DeviceHalo final : public Halo {
     if (depth > border()) bring_to_ghosts(stream, depth, vector);
   }
 
-  void collect(Stream& stream, float* numbers) override {
+  void collect(Stream& stream, double* numbers) override {
     ShardOnDevice& here = meeting_->shard(shard_);
     if (shard_ > 0)
       pack(stream, here.border_count, here.border_from.data(), numbers, here.border_stage.data());
     meeting_->after_all(shard_, stream, numbers, [&](ShardOnDevice& of) {
       if (&of != &meeting_->shard(0))
         return scatter(*of.now, 0, of.border_from.data(), of.border_stage.data(),
-                       static_cast<float*>(of.vector));
+                       static_cast<double*>(of.vector));
       for (int other = 1; other < meeting_->count(); ++other) {
         const ShardOnDevice& from = meeting_->shard(other);
         scatter(*of.now, from.border_count, from.border_to.data(), from.border_stage.data(),
-                static_cast<float*>(of.vector));
+                static_cast<double*>(of.vector));
       }
     });
   }

@@ -46,7 +46,7 @@ class Halo {
   virtual void refresh(Stream& stream, int depth, float4* vector) = 0;
   virtual void refresh(Stream& stream, int depth, float* vector) = 0;
   virtual void add_up(Stream& stream, int depth, float4* vector) = 0;
-  virtual void collect(Stream& stream, float* numbers) = 0;
+  virtual void collect(Stream& stream, double* numbers) = 0;
 
   /// Returns where all shards' totals stand for the next kernel of the stream, which must start
   /// with launch_whole(). Uses of one `slot` must come one after the other. Shapes: `mine` has

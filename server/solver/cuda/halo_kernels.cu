@@ -37,7 +37,8 @@ __global__ void add_kernel(int64_t count, const int32_t* sent, const int32_t* st
   own[sent[i]] = sum;
 }
 
-__global__ void scatter_kernel(int64_t count, const int32_t* where, const float* stage, float* to) {
+__global__ void scatter_kernel(int64_t count, const int32_t* where, const double* stage,
+                               double* to) {
   const int64_t i = thread_index();
   if (i < count) to[where[i]] = stage[i];
 }
@@ -84,7 +85,7 @@ void add_copies(Stream& stream, int64_t count, const int32_t* sent, const int32_
   launch_whole(stream, add_kernel, at_least_one(count), count, sent, start, copies, stages, own);
 }
 
-void scatter(Stream& stream, int64_t count, const int32_t* where, const float* stage, float* to) {
+void scatter(Stream& stream, int64_t count, const int32_t* where, const double* stage, double* to) {
   launch_whole(stream, scatter_kernel, at_least_one(count), count, where, stage, to);
 }
 
@@ -97,6 +98,7 @@ void take_largest(Stream& stream, const OfShards& of_shards, float* number) {
 }
 
 template void pack(Stream&, int64_t, const int32_t*, const float*, float*);
+template void pack(Stream&, int64_t, const int32_t*, const double*, double*);
 template void pack(Stream&, int64_t, const int32_t*, const float4*, float4*);
 template void copy(Stream&, int64_t, const float4*, float4*);
 template void copy(Stream&, int64_t, const double*, double*);

@@ -37,7 +37,7 @@ void take_ghosts(Stream& stream, int64_t count, const HaloPlace* ghosts, const S
 void add_copies(Stream& stream, int64_t count, const int32_t* sent, const int32_t* start,
                 const HaloPlace* copies, const Stages<float4>& stages, float4* own);
 /// Does to[where[i]] = stage[i].
-void scatter(Stream& stream, int64_t count, const int32_t* where, const float* stage, float* to);
+void scatter(Stream& stream, int64_t count, const int32_t* where, const double* stage, double* to);
 
 /// Does totals[0] = *number, before an exchange of totals.
 void widen(Stream& stream, const float* number, double* totals);

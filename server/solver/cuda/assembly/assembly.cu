@@ -1,5 +1,3 @@
-#include <type_traits>
-
 #include "server/solver/cuda/assembly/assembly.h"
 #include "server/solver/cuda/assembly/gather_rows.h"
 #include "server/solver/cuda/assembly/gradient_shares.h"
@@ -14,9 +12,8 @@ namespace {
 constexpr int kMedianSamples = 64;
 
 // Returns a cell's share of a diagonal.
-template <typename Real>
-__device__ Real diagonal_of(const CellSquares<Real>& cells, int64_t cell, int a) {
-  Real diagonal = own_of(cells, cell, a);
+__device__ double diagonal_of(const CellSquares<double>& cells, int64_t cell, int a) {
+  double diagonal = own_of(cells, cell, a);
 #pragma unroll
   for (int step = 1; step < 8; ++step) diagonal -= pair_of(cells, cell, pair_index(a, a ^ step));
   return diagonal;
@@ -24,8 +21,7 @@ __device__ Real diagonal_of(const CellSquares<Real>& cells, int64_t cell, int a)
 
 // Finds the median of an even sample in one block, with eight threads for each number: the median
 // is the number that half of the others precede. Leaves out irregular rows.
-template <typename Real>
-__global__ void pinned_below_kernel(Topology topology, CellSquares<Real> cells,
+__global__ void pinned_below_kernel(Topology topology, CellSquares<double> cells,
                                     float* pinned_below) {
   __shared__ float sample[kMedianSamples];
   let_next_start();
@@ -53,10 +49,10 @@ __global__ void pinned_below_kernel(Topology topology, CellSquares<Real> cells,
 
 enum class Gradients { kNone, kFloats, kWithRests };
 
-template <typename Real, Gradients kGradients>
+template <Gradients kGradients>
 __global__ void __launch_bounds__(kThreads, 6)
-    assemble_kernel(CellSquares<Real> cells, Depth depth, BesideMatrix beside, const float4* probe,
-                    const float* pinned_below) {
+    assemble_kernel(CellSquares<double> cells, Depth depth, BesideMatrix beside,
+                    const float4* probe, const float* pinned_below) {
   __shared__ RowRoom room;
   float4* tile = tile_of_block<float4>();
   let_next_start();
@@ -65,7 +61,7 @@ __global__ void __launch_bounds__(kThreads, 6)
   await_previous();
   if (probe != nullptr) fill_tile(group, probe, tile);
   if (corner < 0) return;
-  const GatheredRow<Real> row = gather_row(cells, depth.topology.cells_of_corner[corner]);
+  const GatheredRow<double> row = gather_row(cells, depth.topology.cells_of_corner[corner]);
   const auto diagonal = static_cast<float>(row.diagonal);
   depth.system.diagonal[corner] = diagonal;
   const bool is_free = diagonal > *pinned_below && corner < depth.topology.known_count;
@@ -74,21 +70,21 @@ __global__ void __launch_bounds__(kThreads, 6)
   float4 product = zero4();
   if (probe != nullptr) product = diagonal * tile[threadIdx.x];
   const Rows& rows = depth.topology.rows;
-  const auto rest_of = [](Real value) {
+  const auto rest_of = [](double value) {
     return value - value_of(pack(static_cast<float>(value), 0));
   };
   if (depth.system.rest != nullptr)
     store_row(
-        rows, corner, row, room, [&](Real value) { return static_cast<float>(rest_of(value)); },
+        rows, corner, row, room, [&](double value) { return static_cast<float>(rest_of(value)); },
         [&](int64_t k, float rest, uint32_t) { depth.system.rest[k] = rest; });
   if (depth.remainder != nullptr)
     store_row(
         rows, corner, row, room,
-        [&](Real value) {
+        [&](double value) {
           return static_cast<float>(rest_of(value) - static_cast<float>(rest_of(value)));
         },
         [&](int64_t k, float remainder, uint32_t) { depth.remainder[k] = remainder; });
-  const auto as_float = [](Real value) { return static_cast<float>(value); };
+  const auto as_float = [](double value) { return static_cast<float>(value); };
   store_row(rows, corner, row, room, as_float, [&](int64_t k, float value, uint32_t local) {
     const uint32_t packed = pack(value, local);
     depth.system.packed[k] = packed;
@@ -100,32 +96,22 @@ __global__ void __launch_bounds__(kThreads, 6)
         beside.gradients, depth.topology.cells_of_corner[corner]);
 }
 
-template <typename Real>
 auto choose_kernel(const BesideMatrix& beside) {
-  if constexpr (std::is_same_v<Real, double>) {
-    if (beside.gradients.rests != nullptr) return assemble_kernel<Real, Gradients::kWithRests>;
-    if (beside.gradients.numbers != nullptr) return assemble_kernel<Real, Gradients::kFloats>;
-  }
-  return assemble_kernel<Real, Gradients::kNone>;
+  if (beside.gradients.rests != nullptr) return assemble_kernel<Gradients::kWithRests>;
+  if (beside.gradients.numbers != nullptr) return assemble_kernel<Gradients::kFloats>;
+  return assemble_kernel<Gradients::kNone>;
 }
 
 }  // namespace
 
-template <typename Real>
-void assemble(Stream& stream, const CellSquares<Real>& cells, const Depth& depth,
+void assemble(Stream& stream, const CellSquares<double>& cells, const Depth& depth,
               const BesideMatrix& beside, const float4* probe, float* pinned_below) {
-  launch_blocks(stream, pinned_below_kernel<Real>, dim3(1), dim3(8 * kMedianSamples), 0,
-                depth.topology, cells, pinned_below);
+  launch_blocks(stream, pinned_below_kernel, dim3(1), dim3(8 * kMedianSamples), 0, depth.topology,
+                cells, pinned_below);
   const Rows& rows = depth.topology.rows;
-  launch_products<float4>(stream, choose_kernel<Real>(beside), rows, rows.group_count, cells, depth,
+  launch_products<float4>(stream, choose_kernel(beside), rows, rows.group_count, cells, depth,
                           beside, probe, pinned_below);
-  if constexpr (std::is_same_v<Real, float>)  // the finest depth, in double, has only regular rows
-    assemble_irregular_rows(stream, cells, depth, probe, pinned_below);
+  assemble_irregular_rows(stream, cells, depth, probe, pinned_below);
 }
-
-template void assemble(Stream&, const CellSquares<double>&, const Depth&, const BesideMatrix&,
-                       const float4*, float*);
-template void assemble(Stream&, const CellSquares<float>&, const Depth&, const BesideMatrix&,
-                       const float4*, float*);
 
 }  // namespace burnish::cuda

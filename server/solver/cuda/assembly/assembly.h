@@ -15,8 +15,7 @@ struct BesideMatrix {
 
 /// Makes the depth's matrix and inverse diagonal from its cells. Unless `probe` is null, r becomes
 /// the product with it. `pinned_below` is one number of working memory. Source: section 5.2.
-template <typename Real>
-void assemble(Stream& stream, const CellSquares<Real>& cells, const Depth& depth,
+void assemble(Stream& stream, const CellSquares<double>& cells, const Depth& depth,
               const BesideMatrix& beside, const float4* probe, float* pinned_below);
 
 }  // namespace burnish::cuda

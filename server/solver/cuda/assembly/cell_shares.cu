@@ -41,19 +41,18 @@ __device__ FetchedShare fetch_share(const Shares& shares, int32_t k, int a) {
 
 // Row a of N and its sum.
 struct SourceRow {
-  float entry[8];
-  float row_sum;
+  double entry[8];
+  double row_sum;
 };
 
-template <typename Real>
-__device__ SourceRow read_row(const CellSquares<Real>& cells, const FetchedShare& share, int a) {
+__device__ SourceRow read_row(const CellSquares<double>& cells, const FetchedShare& share, int a) {
   SourceRow row;
   if (share.source < cells.cells) {
-    row.row_sum = static_cast<float>(own_of(cells, share.source, a));
+    row.row_sum = own_of(cells, share.source, a);
 #pragma unroll
     for (int b = 0; b < 8; ++b)
-      if (b != a) row.entry[b] = static_cast<float>(pair_of(cells, share.source, pair_index(a, b)));
-    float diagonal = row.row_sum;
+      if (b != a) row.entry[b] = pair_of(cells, share.source, pair_index(a, b));
+    double diagonal = row.row_sum;
 #pragma unroll
     for (int b = 0; b < 8; ++b)
       if (b != a) diagonal -= row.entry[b];
@@ -62,16 +61,14 @@ __device__ SourceRow read_row(const CellSquares<Real>& cells, const FetchedShare
       if (b == a) row.entry[b] = diagonal;
     return row;
   }
-  const Real* tie =
+  const double* tie =
       cells.numbers + cells.kNumbers * cells.cells + 64 * (share.source - cells.cells);
-  Real sum = 0;
+  row.row_sum = 0;
 #pragma unroll
   for (int b = 0; b < 8; ++b) {
-    const Real number = tie[share.is_transposed ? 8 * b + a : 8 * a + b];
-    row.entry[b] = static_cast<float>(number);
-    sum += number;
+    row.entry[b] = tie[share.is_transposed ? 8 * b + a : 8 * a + b];
+    row.row_sum += row.entry[b];
   }
-  row.row_sum = static_cast<float>(sum);
   return row;
 }
 
@@ -89,8 +86,8 @@ struct Group {
 // Adds row v = `a` of Lᵀ N R, and in [8] its row sum. R's rows add up to their weights, so N's row
 // sum times a common weight needs no difference of large numbers.
 __device__ void add_share(const FetchedShare& share, const SourceRow& row, const HalfWay& half_way,
-                          const Group& group, int a, float (&sum)[9]) {
-  float product[9] = {};
+                          const Group& group, int a, double (&sum)[9]) {
+  double product[9] = {};
   product[8] = row.row_sum * share.right_weight;
 #pragma unroll
   for (int b = 0; b < 8; ++b) {
@@ -110,10 +107,10 @@ __device__ void add_share(const FetchedShare& share, const SourceRow& row, const
 }
 
 // Adds row a of the target's numbers.
-__device__ void add_to(const CellSquares<float>& cells, int64_t target, int a,
-                       const float (&sum)[9]) {
+__device__ void add_to(const CellSquares<double>& cells, int64_t target, int a,
+                       const double (&sum)[9]) {
   if (target >= cells.cells) {
-    float* tie = cells.numbers + cells.kNumbers * cells.cells + 64 * (target - cells.cells);
+    double* tie = cells.numbers + cells.kNumbers * cells.cells + 64 * (target - cells.cells);
 #pragma unroll
     for (int w = 0; w < 8; ++w) tie[8 * a + w] = sum[w];
     return;
@@ -124,9 +121,9 @@ __device__ void add_to(const CellSquares<float>& cells, int64_t target, int a,
   own_of(cells, target, a) += sum[8];
 }
 
-template <int kGroups, typename Real>
-__global__ void add_shares_kernel(Shares shares, CellSquares<Real> fine,
-                                  CellSquares<float> coarse) {
+template <int kGroups>
+__global__ void add_shares_kernel(Shares shares, CellSquares<double> fine,
+                                  CellSquares<double> coarse) {
   __shared__ HalfWay half_way;
   let_next_start();
   const int64_t number = thread_index() / (8 * kGroups);
@@ -140,7 +137,7 @@ __global__ void add_shares_kernel(Shares shares, CellSquares<Real> fine,
   if (k < end) next = fetch_share(shares, k, a);
   fill(half_way);
   await_previous();
-  float sum[9] = {};
+  double sum[9] = {};
   while (k < end) {
     const FetchedShare share = next;
     const SourceRow row = read_row(fine, share, a);
@@ -158,20 +155,13 @@ __global__ void add_shares_kernel(Shares shares, CellSquares<Real> fine,
 
 }  // namespace
 
-template <typename Real>
-void add_shares(Stream& stream, const Shares& shares, const CellSquares<Real>& fine,
-                const CellSquares<float>& coarse) {
+void add_shares(Stream& stream, const Shares& shares, const CellSquares<double>& fine,
+                const CellSquares<double>& coarse) {
   if (shares.target_count <= kTargetsAtOnce)
-    launch(stream, add_shares_kernel<kWarpGroups, Real>,
-           int64_t{8 * kWarpGroups} * shares.target_count, shares, fine, coarse);
+    launch(stream, add_shares_kernel<kWarpGroups>, int64_t{8 * kWarpGroups} * shares.target_count,
+           shares, fine, coarse);
   else
-    launch(stream, add_shares_kernel<1, Real>, int64_t{8} * shares.target_count, shares, fine,
-           coarse);
+    launch(stream, add_shares_kernel<1>, int64_t{8} * shares.target_count, shares, fine, coarse);
 }
-
-template void add_shares(Stream&, const Shares&, const CellSquares<double>&,
-                         const CellSquares<float>&);
-template void add_shares(Stream&, const Shares&, const CellSquares<float>&,
-                         const CellSquares<float>&);
 
 }  // namespace burnish::cuda

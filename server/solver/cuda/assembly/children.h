@@ -10,7 +10,7 @@ namespace burnish::cuda {
 
 /// The warps of a block divide a cell's numbers: this many each, one after the other.
 inline constexpr int kWarps = kThreads / 32;
-inline constexpr int kEach = CellSquares<float>::kNumbers / kWarps;
+inline constexpr int kEach = CellSquares<double>::kNumbers / kWarps;
 inline constexpr int kPairsOfEach = kPairsPerCell / kWarps;
 
 __device__ inline int number_of(int n) {
@@ -36,7 +36,7 @@ __device__ inline Children children_of_block(const Topology& coarse) {
 
 struct ChildNumbers {
   int octant[kChildren];
-  float numbers[CellSquares<float>::kNumbers][kChildren + 1];  // one more avoids bank conflicts
+  double numbers[CellSquares<double>::kNumbers][kChildren + 1];  // one more avoids bank conflicts
 };
 
 /// Reads children in rounds of 32. load(cell, number, is_pair) loads the sources of a number.
@@ -58,16 +58,15 @@ __device__ void read_children(const Children& children, const uint8_t* octant, L
     if (round == 0) prepare();
     if (i >= children.count) continue;
 #pragma unroll
-    for (int n = 0; n < kEach; ++n)
-      read.numbers[number_of(n)][i] = static_cast<float>(make(round, cell, n, loaded[n]));
+    for (int n = 0; n < kEach; ++n) read.numbers[number_of(n)][i] = make(round, cell, n, loaded[n]);
   }
   __syncthreads();
 }
 
 /// Reads row a of K; its last number is the row sum.
-__device__ inline void read_row(const ChildNumbers& children, int i, int a, float (&row)[9]) {
+__device__ inline void read_row(const ChildNumbers& children, int i, int a, double (&row)[9]) {
   row[8] = children.numbers[kPairsPerCell + a][i];
-  float diagonal = row[8];
+  double diagonal = row[8];
 #pragma unroll
   for (int b = 0; b < 8; ++b) {
     row[b] = a == b ? 0 : children.numbers[pair_index(a, b)][i];
@@ -80,28 +79,28 @@ __device__ inline void read_row(const ChildNumbers& children, int i, int a, floa
 
 /// Does K P within a row. Along each axis the child's corner in the parent's middle gives half to
 /// each side.
-__device__ inline void restrict_columns(int octant, float (&row)[9]) {
+__device__ inline void restrict_columns(int octant, double (&row)[9]) {
 #pragma unroll
   for (int bit = 1; bit < 8; bit *= 2)
 #pragma unroll
     for (int b = 0; b < 8; ++b) {
       if (b & bit) continue;
-      float &low = row[b], &high = row[b | bit];
-      const float half = 0.5f * (octant & bit ? low : high);
+      double &low = row[b], &high = row[b | bit];
+      const double half = 0.5 * (octant & bit ? low : high);
       low = octant & bit ? half : low + half;
       high = octant & bit ? high + half : half;
     }
 }
 
 /// Does Pᵀ from the left, among the eight neighbouring threads that hold a row each.
-__device__ inline void restrict_rows(int octant, int a, unsigned group, float (&row)[9]) {
+__device__ inline void restrict_rows(int octant, int a, unsigned group, double (&row)[9]) {
 #pragma unroll
   for (int bit = 1; bit < 8; bit *= 2) {
     const bool in_middle = ((a ^ octant) & bit) != 0;
 #pragma unroll
     for (int b = 0; b < 9; ++b) {
-      const float other = __shfl_xor_sync(group, row[b], bit);
-      row[b] = in_middle ? 0.5f * row[b] : row[b] + 0.5f * other;
+      const double other = __shfl_xor_sync(group, row[b], bit);
+      row[b] = in_middle ? 0.5 * row[b] : row[b] + 0.5 * other;
     }
   }
 }
@@ -109,15 +108,15 @@ __device__ inline void restrict_rows(int octant, int a, unsigned group, float (&
 /// Uses eight threads per coarse cell, one per row.
 __device__ inline void sum_children(const Topology& coarse, const Children& children,
                                     const ChildNumbers& read,
-                                    const CellSquares<float>& coarse_cells) {
+                                    const CellSquares<double>& coarse_cells) {
   const int64_t parent = thread_index() / 8;
   if (parent >= coarse_cells.cells) return;
   const int a = static_cast<int>(threadIdx.x % 8);
   const unsigned group = 0xffu << (threadIdx.x % 32 / 8 * 8);
-  float sum[9] = {};
+  double sum[9] = {};
   for (int32_t k = coarse.child_start[parent]; k < coarse.child_start[parent + 1]; ++k) {
     const int i = k - children.before;
-    float row[9];
+    double row[9];
     read_row(read, i, a, row);
     restrict_columns(read.octant[i], row);
     restrict_rows(read.octant[i], a, group, row);

@@ -142,7 +142,7 @@ template <bool kGradients>
 __global__ void __launch_bounds__(kThreads, 5)
     combine_and_down_sample_kernel(Integrals integrals, Metric metric, CellSquares<double> combined,
                                    Topology fine, Topology coarse,
-                                   CellSquares<float> coarse_cells) {
+                                   CellSquares<double> coarse_cells) {
   __shared__ ChildNumbers read;
   __shared__ CellWeights weights[kChildren];
   let_next_start();
@@ -174,13 +174,13 @@ __global__ void __launch_bounds__(kThreads, 5)
     for (int n = 0; n < kPairsOfEach; ++n)
       read.numbers[number_of(n)][32 * round + t % 32] = stiffness[round][n];
   __syncthreads();
-  const auto of_pair = [&](int pair) { return read.numbers[pair][t]; };
+  const auto of_pair = [&](int pair) { return static_cast<float>(read.numbers[pair][t]); };
   if (t < children.count) write_gradients<false>(of_pair, children.cell[t], metric.gradients);
 }
 static_assert(kChildren == kThreads);
 
-__global__ void down_sample_kernel(Topology fine, Topology coarse, CellSquares<float> fine_cells,
-                                   CellSquares<float> coarse_cells) {
+__global__ void down_sample_kernel(Topology fine, Topology coarse, CellSquares<double> fine_cells,
+                                   CellSquares<double> coarse_cells) {
   __shared__ ChildNumbers read;
   let_next_start();
   const Children children = children_of_block(coarse);
@@ -188,7 +188,7 @@ __global__ void down_sample_kernel(Topology fine, Topology coarse, CellSquares<f
   const auto load = [&](int64_t cell, int number, bool) {
     return fine_cells.numbers[number * fine_cells.cells + cell];
   };
-  const auto keep = [](int, int64_t, int, float loaded) { return loaded; };
+  const auto keep = [](int, int64_t, int, double loaded) { return loaded; };
   read_children<1>(
       children, fine.octant, load, [] {}, keep, read);
   sum_children(coarse, children, read, coarse_cells);
@@ -227,13 +227,13 @@ void combine_integrals(Stream& stream, const Integrals& integrals, const Metric&
 void combine_integrals(Stream& stream, const Integrals& integrals, const SheetIntegrals& sheets,
                        const Metric& metric, const CellSquares<double>& combined,
                        const Topology& fine, const Topology& coarse,
-                       const CellSquares<float>& coarse_cells) {
+                       const CellSquares<double>& coarse_cells) {
   const Gradients gradients = gradients_of(metric);
   launch(stream,
          gradients == Gradients::kFloats ? combine_and_down_sample_kernel<true>
                                          : combine_and_down_sample_kernel<false>,
          8 * coarse_cells.cells, integrals, metric, combined, fine, coarse, coarse_cells);
-  // Rests need doubles, which take more shared memory than that kernel has. So all cells are
+  // Rests need doubles, which take more registers than that kernel has. So all cells are
   // combined once more, with the same result.
   if (gradients == Gradients::kWithRests)
     combine(stream, integrals, metric, combined, nullptr, combined.cells);
@@ -244,7 +244,7 @@ void combine_integrals(Stream& stream, const Integrals& integrals, const SheetIn
 }
 
 void down_sample(Stream& stream, const Topology& fine, const Topology& coarse,
-                 const CellSquares<float>& fine_cells, const CellSquares<float>& coarse_cells) {
+                 const CellSquares<double>& fine_cells, const CellSquares<double>& coarse_cells) {
   launch(stream, down_sample_kernel, 8 * coarse_cells.cells, fine, coarse, fine_cells,
          coarse_cells);
   add_shares(stream, coarse.shares, fine_cells, coarse_cells);

@@ -22,16 +22,17 @@ void combine_integrals(Stream& stream, const Integrals& integrals, const Metric&
                        const CellSquares<double>& combined);
 
 /// Does the same with sheets, whose numbers stand after the cells'. Also makes the numbers of the
-/// next coarser depth. Coarse depths only precondition, so float32 is enough there. add_shares()
-/// adds the shares beyond the children's.
+/// next coarser depth, in double too: a corner that the surface hardly reaches has far less
+/// diagonal than float32 leaves of its row where mass outweighs stiffness (held rims and regions).
+/// add_shares() adds the shares beyond the children's.
 void combine_integrals(Stream& stream, const Integrals& integrals, const SheetIntegrals& sheets,
                        const Metric& metric, const CellSquares<double>& combined,
                        const Topology& fine, const Topology& coarse,
-                       const CellSquares<float>& coarse_cells);
+                       const CellSquares<double>& coarse_cells);
 
 /// Makes the combined integrals of the coarse depth from the fine depth's: Σ over children of Pᵀ K
 /// P, and the depth's shares.
 void down_sample(Stream& stream, const Topology& fine, const Topology& coarse,
-                 const CellSquares<float>& fine_cells, const CellSquares<float>& coarse_cells);
+                 const CellSquares<double>& fine_cells, const CellSquares<double>& coarse_cells);
 
 }  // namespace burnish::cuda

@@ -1,27 +1,18 @@
 #pragma once
 
-#include <type_traits>
-
 #include "common/grid/stencil_slots.h"
 #include "server/solver/cuda/device/kernel.h"
 #include "server/solver/hierarchy/cell_matrix.h"
 
 namespace burnish::cuda {
 
-/// The least diagonal of a coarse row, over the sum of its numbers' sizes. A corner that the
-/// surface hardly reaches has far less where mass outweighs stiffness (held rims and regions): the
-/// rounding of float32 is all that is left of it then, and a matrix that is not definite ruins
-/// every correction. More diagonal only holds such a corner back.
-inline constexpr double kDiagonalLeast = 1.0 / 256;
-
 /// A row of the stencil: the sum over the corner's cells, always in the same order.
 template <typename Real>
 struct GatheredRow {
   Real by_slot[kSlots];
   Real own;
-  /// The row sum less the other entries, but at coarse depths at least kDiagonalLeast. In double:
-  /// at corners of little weight the other entries may be much larger than it. The cycle would not
-  /// converge with float32's remainder.
+  /// The row sum less the other entries. In double: at corners of little weight the other entries
+  /// may be much larger than it. The cycle would not converge with float32's remainder.
   double diagonal;
 };
 
@@ -43,27 +34,22 @@ __device__ inline bool is_regular(const Eight& cells) {
 template <typename Real>
 __device__ GatheredRow<Real> gather_row(const CellSquares<Real>& cells, const Eight& cells_here) {
   GatheredRow<Real> row = {};
-  double sizes = 0;
 #pragma unroll
   for (int a = 0; a < 8; ++a) {
     const bool is_there = cells_here.at[a] >= 0;
     const int32_t cell = is_there ? cells_here.at[a] : 0;
     const Real own = own_of(cells, cell, a);
     row.own += is_there ? own : 0;
-    double diagonal = own, size = fabs(own);
+    double diagonal = own;
 #pragma unroll
     for (int b = 0; b < 8; ++b) {
       if (b == a) continue;
       const Real pair = pair_of(cells, cell, pair_index(a, b));
       row.by_slot[slot_between(a, b)] += is_there ? pair : 0;
       diagonal -= pair;
-      size += fabs(pair);
     }
     row.diagonal += is_there ? diagonal : 0;
-    sizes += is_there ? size : 0;
   }
-  if constexpr (std::is_same_v<Real, float>)
-    row.diagonal = fmax(row.diagonal, kDiagonalLeast * sizes);
   return row;
 }
 

@@ -67,7 +67,8 @@ class ListedSum {
   }
 
   /// Sums only the numbers before `number_count`. In double: diagonals need it (gather_rows.h).
-  __device__ double of(const float* numbers, int32_t number_count) {
+  template <typename Real>
+  __device__ double of(const Real* numbers, int32_t number_count) {
     double total = sum_of_fetched(numbers, number_count);
     while (next_ < end_) {
       fetch();
@@ -84,7 +85,8 @@ class ListedSum {
     for (int j = 0; j < kAhead; ++j, next_ += step_) place_[j] = next_ < end_ ? source_[next_] : -1;
   }
 
-  __device__ double sum_of_fetched(const float* numbers, int32_t number_count) const {
+  template <typename Real>
+  __device__ double sum_of_fetched(const Real* numbers, int32_t number_count) const {
     double total = 0;
 #pragma unroll
     for (int j = 0; j < kAhead; ++j)
@@ -109,7 +111,7 @@ __device__ float4 sum_of_warp(float4 vector) {
   return {sum_of_warp(vector.x), sum_of_warp(vector.y), sum_of_warp(vector.z), 0};
 }
 
-__global__ void assemble_rows_kernel(Depth depth, const float* numbers, const float4* probe,
+__global__ void assemble_rows_kernel(Depth depth, const double* numbers, const float4* probe,
                                      const float* pinned_below) {
   let_next_start();
   const Topology& topology = depth.topology;
@@ -119,7 +121,7 @@ __global__ void assemble_rows_kernel(Depth depth, const float* numbers, const fl
   const auto lane = static_cast<int>(threadIdx.x % 32);
   const auto all = static_cast<int32_t>(topology.number_count);
   ListedSum own(topology.irregular, row.first_sum + row.count, lane, 32);
-  double sum = 0, sizes = 0;
+  double sum = 0;
   float4 product = zero4();
   for (int p = lane; p < row.count; p += 32) {
     ListedSum listed(topology.irregular, row.first_sum + p, 0, 1);
@@ -131,12 +133,9 @@ __global__ void assemble_rows_kernel(Depth depth, const float* numbers, const fl
       depth.system.rest[place.at] = static_cast<float>(entry - stored);
     if (probe != nullptr) product = product + stored * probe[place.column];
     sum -= entry;
-    sizes += fabs(entry);
   }
   await_previous();
-  const double own_sum = own.of(numbers, all);
-  const auto diagonal = static_cast<float>(
-      fmax(sum_of_warp(sum + own_sum), kDiagonalLeast * sum_of_warp(sizes + fabs(own_sum))));
+  const auto diagonal = static_cast<float>(sum_of_warp(sum + own.of(numbers, all)));
   product = sum_of_warp(product);
   if (lane != 0) return;
   depth.system.diagonal[row.corner] = diagonal;
@@ -197,7 +196,7 @@ __global__ void inverse_rows_kernel(Depth depth, CellSquares<float> inverses, Ma
 
 }  // namespace
 
-void assemble_irregular_rows(Stream& stream, const CellSquares<float>& cells, const Depth& depth,
+void assemble_irregular_rows(Stream& stream, const CellSquares<double>& cells, const Depth& depth,
                              const float4* probe, const float* pinned_below) {
   launch(stream, assemble_rows_kernel, int64_t{32} * depth.topology.irregular.row_count, depth,
          cells.numbers, probe, pinned_below);

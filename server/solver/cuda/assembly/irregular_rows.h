@@ -12,7 +12,7 @@ namespace burnish::cuda {
 
 /// Call after the other rows of S. Does the work of assemble() (assembly.h) with the numbers of
 /// cells and ties.
-void assemble_irregular_rows(Stream& stream, const CellSquares<float>& cells, const Depth& depth,
+void assemble_irregular_rows(Stream& stream, const CellSquares<double>& cells, const Depth& depth,
                              const float4* probe, const float* pinned_below);
 
 /// Call after the other cells. Does the work of invert_cells() (cell_inverse.h).

@@ -62,7 +62,7 @@ struct ShardOnDevice {
   int64_t border_count = 0;          ///< numbers that it makes for the first shard
   DeviceArray<int32_t> border_from;  ///< their places here
   DeviceArray<int32_t> border_to;    ///< and there, on the first shard's device
-  SharedArray<float> border_stage;
+  SharedArray<double> border_stage;
   cudaEvent_t ready = nullptr;
   // What the shard has come to a meeting with.
   Stream* now = nullptr;
