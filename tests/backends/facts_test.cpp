@@ -7,6 +7,7 @@
 
 #include "common/generate/generate.h"
 #include "common/mesh/srgb.h"
+#include "common/mesh/statistics.h"
 #include "server/prepare/prepare.h"
 #include "server/solver/tuning/plan_cycle.h"
 #include "tests/backends/filtered.h"
@@ -80,6 +81,38 @@ TEST_P(Facts, HeldRimsMoveTheSurfaceAsOnTheProcessors) {
   EXPECT_GT(vertex_distance(moved, sheet.vertices, here.diagonal()).max, 1e-2);
   for (const uint32_t v : here.session().fields().rims()->vertices)
     EXPECT_EQ(moved[v], sheet.vertices[v]);
+}
+
+Protect half_of_it(const TriangleMesh& mesh) {
+  const MeshStatistics statistics = compute_statistics(mesh);
+  const Vec3d centre = (statistics.box_min + statistics.box_max) / 2;
+  const double scale = 1 / statistics.diagonal();
+  LassoRegion half;
+  for (int axis = 0; axis < 3; ++axis) {
+    half.view_projection[5 * axis] = scale;
+    half.view_projection[4 * axis + 3] = -scale * centre[axis];
+  }
+  half.view_projection[15] = 1;
+  half.polygon = {{-1, -1}, {0, -1}, {0, 1}, {-1, 1}};
+  half.through = true;
+  return {half};
+}
+
+// There mass outweighs stiffness, and coarse corners that the surface hardly reaches have next to
+// no diagonal.
+TEST_P(Facts, BesideAProtectedHalfFramesAreThoseOfTheProcessors) {
+  if (GetParam().options.smoother != Smoother::kSchwarz) return;
+  const TriangleMesh mesh = generate_scan({.kind = "tablet", .vertices = 5000}).value();
+  Filtered here = session(mesh, 6), there(mesh, 6, {.backend = BackendKind::kCpu});
+  for (Filtered* of : {&here, &there}) {
+    EXPECT_TRUE(of->session().apply({"protect", half_of_it(mesh)}).is_ok());
+    of->alpha(5).beta(0);
+  }
+  for (int frame = 1; frame <= 3; ++frame)
+    EXPECT_LT(vertex_distance(here.after(1), there.after(1), here.diagonal()).max, 3e-4) << frame;
+  const std::vector<Vec3d> moved = there.exact();
+  EXPECT_LT(vertex_distance(here.exact(), moved, here.diagonal()).max, 2e-6);
+  EXPECT_GT(vertex_distance(moved, mesh.vertices, here.diagonal()).max, 1e-2);
 }
 
 // The displacement of a signal that is not finite is not either.
