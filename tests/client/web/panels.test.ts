@@ -50,6 +50,57 @@ test("NumberTypedWithinOneTurnIsTakenOnce", () =>
     );
   }));
 
+test("NumberReplacesAValueThatComesAfterTheClickIntoItsField", () =>
+  bench.visitSession(async (visit) => {
+    const field = visit.page.getByRole("textbox", { name: "Gradient scale β as a number" });
+    await field.click();
+    await visit.document({ beta: 0.7 });
+    await visit.page.waitForFunction(() => (window.document.activeElement as HTMLInputElement).value === "0.7");
+    await visit.page.keyboard.insertText("0.8");
+    await visit.page.keyboard.press("Enter");
+    await visit.sent("beta 0.8");
+  }));
+
+test("NumberAfterNumberIsTakenWithoutANewClick", () =>
+  bench.visitSession(async (visit) => {
+    await visit.page.getByRole("textbox", { name: "Gradient scale β as a number" }).click();
+    for (const number of ["2.5", "3.5"]) {
+      await visit.page.keyboard.type(number);
+      await visit.page.keyboard.press("Enter");
+      await visit.sent(`beta ${number}`);
+    }
+  }));
+
+test("NumberThatIsShownBeforeTheAnswerIsTaken", () =>
+  bench.visitSession(async (visit) => {
+    const field = visit.page.getByRole("textbox", { name: "Gradient scale β as a number" });
+    const shown = await field.inputValue();
+    await field.evaluate((input: HTMLInputElement, shown) => {
+      input.focus();
+      for (const text of ["2.5", shown]) {
+        input.value = text;
+        input.dispatchEvent(new InputEvent("input", { bubbles: true }));
+        input.dispatchEvent(new KeyboardEvent("keydown", { key: "Enter", bubbles: true }));
+      }
+    }, shown);
+    await visit.sent("beta 2.5");
+    await visit.sent(`beta ${shown}`);
+  }));
+
+test("NumberThatIsShownIsNoEdit", () =>
+  bench.visitSession(async (visit) => {
+    const field = visit.page.getByRole("textbox", { name: "Gradient scale β as a number" });
+    await field.fill(await field.inputValue());
+    await field.press("Enter");
+    await field.fill("2.5");
+    await field.press("Enter");
+    await visit.sent("beta 2.5");
+    assert.deepEqual(
+      (await visit.lines()).filter((line) => line.startsWith("beta ")),
+      ["beta 2.5"],
+    );
+  }));
+
 test("NumberBeyondTheLimitBecomesTheLimitWithAMessage", () =>
   bench.visitSession(async (visit) => {
     const field = visit.page.getByRole("textbox", { name: "Gradient scale β as a number" });

@@ -1,11 +1,11 @@
 // Lengths in the scan's unit: how far the surface moved, and distances.
 
-import { useState } from "preact/hooks";
 import { command } from "./commands";
 import { useLink } from "./context";
 import { Button, Check, Figures, Row } from "./controls";
 import type { PanelProps } from "./filter_panel";
 import type { Numbers } from "./snapshot";
+import { TypedField } from "./typed_field";
 
 export function NumbersPanel({ document }: PanelProps) {
   const numbers = document.numbers;
@@ -25,23 +25,15 @@ export function NumbersPanel({ document }: PanelProps) {
 
 function Unit({ document }: PanelProps) {
   const link = useLink();
-  const [typed, setTyped] = useState<string | null>(null);
-  const take = () => {
-    if (typed !== null && typed !== document.unit) link.send(command.unit(typed));
-    setTyped(null);
-  };
   return (
     <div class="labelled">
       <span aria-hidden="true">unit</span>
-      <input
-        type="text"
-        aria-label="Unit"
+      <TypedField
+        name="Unit"
         placeholder="mm, m, …"
         title="Names the unit of the scan's coordinates, for everybody who opens the scan."
-        value={typed ?? document.unit}
-        onInput={(event) => setTyped(event.currentTarget.value)}
-        onBlur={take}
-        onKeyDown={(event) => event.key === "Enter" && !event.isComposing && take()}
+        shown={document.unit}
+        onTake={(unit) => link.send(command.unit(unit))}
       />
     </div>
   );

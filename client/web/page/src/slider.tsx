@@ -2,6 +2,7 @@
 
 import { useState } from "preact/hooks";
 import { useLink } from "./context";
+import { TypedField } from "./typed_field";
 
 /** Maps a value to a place from 0 to 1 and back. */
 export interface Scale {
@@ -92,16 +93,7 @@ export function Slider({ name, value, scale, format, onMove, onDone, disabled, t
 /** Takes a typed number. A number beyond the limits becomes the limit, with a message. */
 function NumberField({ name, value, scale, format, onDone, disabled }: Omit<SliderProps, "onMove">) {
   const link = useLink();
-  const [typed, setTyped] = useState<string | null>(null);
-  // The field's own text counts: a quick key comes before the next render has what was typed.
-  const forget = (field: HTMLInputElement) => {
-    field.value = format(value);
-    setTyped(null);
-  };
-  const take = (field: HTMLInputElement) => {
-    const text = field.value;
-    forget(field);
-    if (text === format(value)) return;
+  const take = (text: string) => {
     const read = Number(text.replace(",", "."));
     if (text.trim() === "" || !Number.isFinite(read))
       return link.refuse(`${name}: '${text}' is not a number`);
@@ -113,20 +105,13 @@ function NumberField({ name, value, scale, format, onDone, disabled }: Omit<Slid
     onDone(taken);
   };
   return (
-    <input
+    <TypedField
       class="number"
-      type="text"
       inputMode="decimal"
-      aria-label={`${name} as a number`}
-      value={typed ?? format(value)}
+      name={`${name} as a number`}
+      shown={format(value)}
       disabled={disabled}
-      onFocus={(event) => event.currentTarget.select()}
-      onInput={(event) => setTyped(event.currentTarget.value)}
-      onBlur={(event) => take(event.currentTarget)}
-      onKeyDown={(event) => {
-        if (event.key === "Enter") take(event.currentTarget);
-        if (event.key === "Escape") forget(event.currentTarget);
-      }}
+      onTake={take}
     />
   );
 }

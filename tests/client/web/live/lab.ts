@@ -100,6 +100,9 @@ export class Visit {
     page.on("pageerror", (error) => this.console.push(String(error)));
   }
 
+  /** Returns all text of the page, its messages too. */
+  text = (): Promise<string> => this.page.locator("body").innerText().catch(String);
+
   /** Opens a scan by its name in the list, and waits for the picture of its settled surface. */
   async openScan(name: string): Promise<void> {
     await this.page.getByRole("button", { name: `New session of ${name}` }).click();
@@ -284,7 +287,8 @@ export class Lab {
       assert.deepEqual(visit.console.filter((line) => !wanted.test(line)), []);
     } catch (error) {
       await visit.screenshot("failed");
-      if (error instanceof Error) error.message += `\nconsole: ${visit.console.join("\n")}`;
+      const seen = `\nconsole: ${visit.console.join("\n")}\npage: ${await visit.text()}`;
+      if (error instanceof Error) error.message += seen;
       throw error;
     } finally {
       await context.close();
