@@ -1,36 +1,24 @@
 #include "common/denoise/denoise.h"
 
+#include "common/denoise/heard_blocks.h"
 #include "common/denoise/normal_filter.h"
 #include "common/denoise/normal_layer.h"
+#include "common/denoise/unless_left.h"
 
 namespace burnish {
 namespace {
 
-/// Returns the value that `work` makes, or why it made none.
-template <typename Work>
-auto unless_left(const Work& work) -> Result<decltype(work())> {
-  try {
-    return work();
-  } catch (const WorkCancelled&) {
-    return cancelled("denoising was cancelled");
-  } catch (const std::bad_alloc& failure) {
-    return resource_exhausted(std::string("denoising has no memory: ") + failure.what());
-  }
-}
-
-std::vector<Vec3f> filtered_layer(const DenoiseSurface& surface, const DenoiseOptions& options,
+std::vector<Vec3f> filtered_layer(const DenoiseSurface& surface, const EdgeFilter& wanted,
                                   const ScratchSpace& space, const Progress& progress,
                                   const PassShown& shown) {
   const LoopPart normals = {progress, "normals"}, layer = {progress, "layer"};
-  NormalFilter filter(surface.welded, surface.rings, options.kind, options.sigma, space,
+  NormalFilter filter(surface.welded, surface.rings, wanted.kind, wanted.sigma(), space,
                       normals.of(0, 0.1));
-  for (int pass = 0; pass < options.passes; ++pass) {
-    const double done = static_cast<double>(pass) / options.passes;
-    const double then = static_cast<double>(pass + 1) / options.passes;
-    filter.pass(normals.of(0.1 + 0.9 * done, 0.1 + 0.9 * then));
+  for (int pass = 0; pass < wanted.passes; ++pass) {
+    filter.pass(part_of_pass(normals.of(0.1, 1), pass, wanted.passes));
     if (shown) shown(pass + 1, filter.normals());
   }
-  return normal_layer(surface.welded, filter.normals(), {.cap = options.cap}, space, layer);
+  return normal_layer(surface.welded, filter.normals(), {}, space, layer);
 }
 
 }  // namespace
@@ -44,11 +32,11 @@ Result<std::shared_ptr<const DenoiseSurface>> make_denoise_surface(const MeshVie
   });
 }
 
-Result<std::vector<Vec3f>> denoise_layer(const DenoiseSurface& surface,
-                                         const DenoiseOptions& options, const ScratchSpace& space,
-                                         const Progress& progress, const PassShown& shown) {
-  RETURN_IF_ERROR(validate(options));
-  return unless_left([&] { return filtered_layer(surface, options, space, progress, shown); });
+Result<std::vector<Vec3f>> denoise_layer(const DenoiseSurface& surface, const EdgeFilter& wanted,
+                                         const ScratchSpace& space, const Progress& progress,
+                                         const PassShown& shown) {
+  RETURN_IF_ERROR(check_edge_filter(wanted));
+  return unless_left([&] { return filtered_layer(surface, wanted, space, progress, shown); });
 }
 
 }  // namespace burnish

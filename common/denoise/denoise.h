@@ -7,10 +7,10 @@
 
 #include "common/base/progress.h"
 #include "common/base/status.h"
-#include "common/denoise/denoise_options.h"
 #include "common/denoise/triangle_normals.h"
 #include "common/denoise/triangle_rings.h"
 #include "common/denoise/welded_surface.h"
+#include "common/edit/edge_filter.h"
 
 namespace burnish {
 
@@ -35,12 +35,11 @@ Result<std::shared_ptr<const DenoiseSurface>> make_denoise_surface(const MeshVie
                                                                    const ScratchSpace& space = {},
                                                                    const Progress& progress = {});
 
-/// Returns the layer of a denoising that keeps edges: one move per vertex of the mesh, file units.
-/// Its crispness is not in it: a vertex goes to x + strength crispness w. The same bits for any
-/// number of threads. Fails: invalid_argument as validate(options) does; cancelled;
+/// Returns the layer of a denoising that keeps edges: one move w per vertex of the mesh, file units.
+/// Strength and crispness are not in it: a vertex goes to x + strength crispness w. The same bits
+/// for any number of threads. Fails: invalid_argument as check_edge_filter() does; cancelled;
 /// resource_exhausted without memory.
-Result<std::vector<Vec3f>> denoise_layer(const DenoiseSurface& surface,
-                                         const DenoiseOptions& options,
+Result<std::vector<Vec3f>> denoise_layer(const DenoiseSurface& surface, const EdgeFilter& wanted,
                                          const ScratchSpace& space = {},
                                          const Progress& progress = {},
                                          const PassShown& shown = {});

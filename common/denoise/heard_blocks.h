@@ -26,6 +26,11 @@ void for_each_block_heard(const LoopPart& part, size_t count, const Visit& visit
   leave_if_cancelled(loop);
 }
 
+/// Returns the part of a pass, from 0 on, of `passes`.
+inline LoopPart part_of_pass(const LoopPart& part, int pass, int passes) {
+  return part.of(static_cast<double>(pass) / passes, static_cast<double>(pass + 1) / passes);
+}
+
 /// Returns the sum of value(i) for 0 to `count`: the same bits for any number of threads. Throws:
 /// WorkCancelled.
 template <typename Value>

@@ -47,7 +47,7 @@ Status KeptEdges::filter_normals(const EdgeFilter& filter, const Progress& progr
     normals_.resize(normals.size());
     for (size_t t = 0; t < normals.size(); ++t) normals_[t] = normal_of(normals[t]).cast<float>();
   };
-  ASSIGN_OR_RETURN(layer_, denoise_layer(*surface_, options_of(filter), {}, progress, keep_last));
+  ASSIGN_OR_RETURN(layer_, denoise_layer(*surface_, filter, {}, progress, keep_last));
   return Status::ok();
 }
 

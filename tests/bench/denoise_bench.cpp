@@ -85,12 +85,12 @@ void add_error(const Case& of, const std::string& method, const TriangleMesh& cl
 Status report_case(const Case& of, BenchTable& table) {
   const TriangleMesh clean = shape_of(of, 0), noisy = shape_of(of, of.deviation);
   add_error(of, "noisy", clean, noisy, noisy, 0, table);
-  for (const DenoisePreset& preset : denoise_presets()) {
+  for (const EdgePreset& preset : edge_presets()) {
     std::vector<Vec3f> layer;
     Status status;
     const Cost cost = cost_of([&] {
       auto surface = make_denoise_surface(noisy);
-      auto made = surface.is_ok() ? denoise_layer(**surface, preset.options) : surface.status();
+      auto made = surface.is_ok() ? denoise_layer(**surface, preset.filter) : surface.status();
       status = made.status();
       if (made.is_ok()) layer = *std::move(made);
     });
@@ -102,8 +102,8 @@ Status report_case(const Case& of, BenchTable& table) {
 
 Status report_odd(const std::string& name, const TriangleMesh& mesh, BenchTable& table) {
   ASSIGN_OR_RETURN(const auto surface, make_denoise_surface(mesh));
-  for (const DenoisePreset& preset : denoise_presets()) {
-    ASSIGN_OR_RETURN(const std::vector<Vec3f> layer, denoise_layer(*surface, preset.options));
+  for (const EdgePreset& preset : edge_presets()) {
+    ASSIGN_OR_RETURN(const std::vector<Vec3f> layer, denoise_layer(*surface, preset.filter));
     const auto infinite = std::count_if(layer.begin(), layer.end(),
                                         [](const Vec3f& move) { return !move.allFinite(); });
     table.add({name, std::string(preset.name), static_cast<double>(mesh.triangles.size()),
@@ -125,10 +125,10 @@ void report_steps(NormalFilterKind kind, const DenoiseSurface& surface, double m
   add("layer of 5 updates",
       cost_of([&] { normal_layer(surface.welded, filter->normals(), {.updates = 5}); }));
   add("layer", cost_of([&] { normal_layer(surface.welded, filter->normals()); }));
-  for (const DenoisePreset& preset : denoise_presets())
-    if (preset.options.kind == kind)
+  for (const EdgePreset& preset : edge_presets())
+    if (preset.filter.kind == kind)
       add(std::string(preset.name).c_str(), cost_of([&] {
-            BURNISH_CHECK(denoise_layer(surface, preset.options).is_ok(), "the layer is made");
+            BURNISH_CHECK(denoise_layer(surface, preset.filter).is_ok(), "the layer is made");
           }));
 }
 

@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "common/base/parallel.h"
+#include "common/denoise/normal_filter.h"
+#include "common/denoise/normal_layer.h"
 #include "common/generate/generate.h"
 #include "common/mesh/statistics.h"
 #include "tests/common/denoise/shape_error.h"
@@ -18,19 +20,19 @@
 namespace burnish {
 namespace {
 
-std::vector<Vec3f> layer_of(const TriangleMesh& mesh, const DenoiseOptions& options) {
+std::vector<Vec3f> layer_of(const TriangleMesh& mesh, const EdgeFilter& filter) {
   const auto surface = make_denoise_surface(mesh);
   EXPECT_TRUE(surface.is_ok());
-  auto layer = denoise_layer(**surface, options);
+  auto layer = denoise_layer(**surface, filter);
   EXPECT_TRUE(layer.is_ok()) << layer.status().to_string();
   return *layer;
 }
 
-const DenoiseOptions& machined() {
-  return denoise_presets()[0].options;
+const EdgeFilter& machined() {
+  return edge_presets()[0].filter;
 }
-const DenoiseOptions& scanner() {
-  return denoise_presets()[1].options;
+const EdgeFilter& scanner() {
+  return edge_presets()[1].filter;
 }
 
 bool are_finite(const std::vector<Vec3f>& moves) {
@@ -69,25 +71,25 @@ TEST(Denoise, OddMeshesHaveAFiniteLayer) {
   one.triangles = {{0, 1, 2}};
   meshes.push_back(one);
   for (const TriangleMesh& mesh : meshes)
-    for (const DenoisePreset& preset : denoise_presets()) {
-      const std::vector<Vec3f> moves = layer_of(mesh, preset.options);
+    for (const EdgePreset& preset : edge_presets()) {
+      const std::vector<Vec3f> moves = layer_of(mesh, preset.filter);
       EXPECT_EQ(moves.size(), mesh.vertices.size());
       EXPECT_TRUE(are_finite(moves)) << preset.name;
     }
 }
 
 /// Measures what a preset leaves of a noise, with the noise of `deviation` mean edges.
-ShapeError error_of(const DenoisePreset& preset, const std::string& kind, uint64_t vertices,
+ShapeError error_of(const EdgePreset& preset, const std::string& kind, uint64_t vertices,
                     double deviation, NoiseKind noise) {
   const TriangleMesh clean = *generate_scan({kind, vertices, 1, 0.0});
   const TriangleMesh noisy = *generate_scan({kind, vertices, 1, deviation, noise});
-  return shape_error(clean, moved(noisy, layer_of(noisy, preset.options)));
+  return shape_error(clean, moved(noisy, layer_of(noisy, preset.filter)));
 }
 
 TEST(Denoise, AMachinedPartIsWithinItsBars) {
   for (const uint64_t vertices : {3000, 7000}) {
     const ShapeError error =
-        error_of(denoise_presets()[0], "part", vertices, 0.2, NoiseKind::kGauss);
+        error_of(edge_presets()[0], "part", vertices, 0.2, NoiseKind::kGauss);
     EXPECT_LT(error.angle, vertices == 7000 ? 1.8 : 2.4);  // 22 before
     EXPECT_LT(error.distance, 0.05);
     EXPECT_LT(std::abs(error.volume), 0.3);
@@ -95,13 +97,13 @@ TEST(Denoise, AMachinedPartIsWithinItsBars) {
 }
 
 TEST(Denoise, APartUnderStructuredLightIsWithinItsBars) {
-  const ShapeError error = error_of(denoise_presets()[1], "part", 7000, 0.15, NoiseKind::kScanner);
+  const ShapeError error = error_of(edge_presets()[1], "part", 7000, 0.15, NoiseKind::kScanner);
   EXPECT_LT(error.angle, 2.8);  // 10 before
   EXPECT_LT(error.distance, 0.1);
 }
 
 TEST(Denoise, ACoinKeepsItsLettersAndLosesNoise) {
-  const DenoisePreset& relief = denoise_presets()[3];
+  const EdgePreset& relief = edge_presets()[3];
   EXPECT_LT(error_of(relief, "coin", 6400, 0.1, NoiseKind::kGauss).angle, 8.0);  // 11 before
   EXPECT_LT(error_of(relief, "coin", 14'400, 0.1, NoiseKind::kGauss).angle, 6.0);
   EXPECT_LT(error_of(relief, "coin", 14'400, 0.15, NoiseKind::kScanner).angle, 8.0);
@@ -109,7 +111,7 @@ TEST(Denoise, ACoinKeepsItsLettersAndLosesNoise) {
 
 TEST(Denoise, ASphereIsRound) {
   const ShapeError error =
-      error_of(denoise_presets()[1], "icosphere", 10'242, 0.2, NoiseKind::kGauss);
+      error_of(edge_presets()[1], "icosphere", 10'242, 0.2, NoiseKind::kGauss);
   EXPECT_LT(error.angle, 1);  // 19 before
   EXPECT_LT(error.distance, 0.04);
 }
@@ -117,23 +119,24 @@ TEST(Denoise, ASphereIsRound) {
 TEST(Denoise, TurnsHardlyATriangleOver) {
   for (const char* kind : {"soup", "fan", "wall"}) {
     const TriangleMesh mesh = *generate_scan({kind, 10'000});
-    for (const DenoisePreset& preset : denoise_presets())
-      EXPECT_LE(turned_share(mesh, moved(mesh, layer_of(mesh, preset.options))), 0.001)
+    for (const EdgePreset& preset : edge_presets())
+      EXPECT_LE(turned_share(mesh, moved(mesh, layer_of(mesh, preset.filter))), 0.001)
           << kind << ", " << preset.name;
   }
 }
 
 TEST(Denoise, AFlatSurfaceStays) {
   const TriangleMesh sheet = make_sheet(20, 5, 0);
-  for (const DenoisePreset& preset : denoise_presets())
-    for (const Vec3f& move : layer_of(sheet, preset.options)) EXPECT_LT(move.norm(), 1e-6);
+  for (const EdgePreset& preset : edge_presets())
+    for (const Vec3f& move : layer_of(sheet, preset.filter)) EXPECT_LT(move.norm(), 1e-6);
 }
 
 TEST(Denoise, WithoutPassesKeepsTheSurface) {
   const TriangleMesh mesh = *generate_scan({"blob", 2000});
-  DenoiseOptions options = scanner();
-  options.passes = 0;
-  for (const Vec3f& move : layer_of(mesh, options)) EXPECT_LT(move.norm(), 1e-6);
+  const auto surface = *make_denoise_surface(mesh);
+  const NormalFilter filter(surface->welded, surface->rings, NormalFilterKind::kBilateral, 0.3);
+  for (const Vec3f& move : normal_layer(surface->welded, filter.normals()))
+    EXPECT_LT(move.norm(), 1e-6);
 }
 
 TEST(Denoise, PoseAndUnitChangeNothing) {
@@ -143,8 +146,8 @@ TEST(Denoise, PoseAndUnitChangeNothing) {
   const double unit = 2540, diagonal = compute_statistics(mesh).diagonal();
   TriangleMesh other = mesh;
   for (Vec3d& p : other.vertices) p = unit * (turn * p) + Vec3d(5e4, -3e4, 1e4);
-  for (const DenoisePreset& preset : denoise_presets()) {
-    const auto here = layer_of(mesh, preset.options), there = layer_of(other, preset.options);
+  for (const EdgePreset& preset : edge_presets()) {
+    const auto here = layer_of(mesh, preset.filter), there = layer_of(other, preset.filter);
     double largest = 0;
     for (size_t v = 0; v < here.size(); ++v)
       largest = std::max(
@@ -158,8 +161,8 @@ TEST(Denoise, ASeamOfATextureChangesNothing) {
   const TriangleMesh mesh = *generate_scan({"part", 3000, 1, 0.2});
   const TriangleMesh seamed = with_seam(mesh);
   ASSERT_GT(seamed.vertices.size(), mesh.vertices.size());
-  for (const DenoisePreset& preset : denoise_presets()) {
-    const auto joined = layer_of(mesh, preset.options), split = layer_of(seamed, preset.options);
+  for (const EdgePreset& preset : edge_presets()) {
+    const auto joined = layer_of(mesh, preset.filter), split = layer_of(seamed, preset.filter);
     for (size_t t = 0; t < mesh.triangles.size(); ++t)
       for (int corner = 0; corner < 3; ++corner)
         ASSERT_EQ(split[seamed.triangles[t][corner]], joined[mesh.triangles[t][corner]]);
@@ -179,12 +182,12 @@ TEST(Denoise, CopiesOfTrianglesChangeNothing) {
 TEST(Denoise, HasTheSameBitsForAnyNumberOfThreads) {
   const TriangleMesh mesh = *generate_scan({"wall", 10'000});
   const int before = thread_count();
-  for (const DenoiseOptions& options : {machined(), scanner()}) {
+  for (const EdgeFilter& filter : {machined(), scanner()}) {
     use_threads(1);
-    const std::vector<Vec3f> expected = layer_of(mesh, options);
+    const std::vector<Vec3f> expected = layer_of(mesh, filter);
     for (const int threads : {2, 3}) {
       use_threads(threads);
-      EXPECT_EQ(layer_of(mesh, options), expected) << threads << " threads";
+      EXPECT_EQ(layer_of(mesh, filter), expected) << threads << " threads";
     }
   }
   use_threads(before);
@@ -201,11 +204,10 @@ uint64_t hash_of(const std::vector<Vec3f>& moves) {
 
 TEST(Denoise, HasTheSameBitsOnEveryMachine) {
   const TriangleMesh part = *generate_scan({"part", 2000, 1, 0.2, NoiseKind::kGauss});
-  using enum NormalFilterKind;
-  EXPECT_EQ(hash_of(layer_of(part, {.kind = kEdges, .sigma = 0.3, .passes = 10})),
-            0x385716a739edefda);
-  EXPECT_EQ(hash_of(layer_of(part, {.kind = kBilateral, .sigma = 0.3, .passes = 20})),
-            0xd60f4d2a2032f8ee);
+  EXPECT_EQ(hash_of(layer_of(part, machined())),
+            0xdf9c374a805c604a);
+  EXPECT_EQ(hash_of(layer_of(part, scanner())),
+            0xf2361079316a75cd);
 }
 
 TEST(Denoise, ShowsEachPass) {
@@ -243,12 +245,12 @@ TEST(Denoise, HearsACancelInEachPhase) {
   }
 }
 
-TEST(Denoise, WrongOptionsAreRefused) {
+TEST(Denoise, AWrongFilterIsRefused) {
   const TriangleMesh mesh = make_icosphere(1, 1);
   const auto surface = *make_denoise_surface(mesh);
-  const Status status = denoise_layer(*surface, {.sigma = 7}).status();
+  const Status status = denoise_layer(*surface, {.edge_angle = 200}).status();
   EXPECT_EQ(status.code(), StatusCode::kInvalidArgument);
-  EXPECT_THAT(status.message(), testing::HasSubstr("0.04..1.5"));
+  EXPECT_THAT(status.message(), testing::HasSubstr("5..120"));
 }
 
 }  // namespace

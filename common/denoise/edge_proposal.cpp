@@ -1,0 +1,104 @@
+#include "common/denoise/edge_proposal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "common/denoise/heard_blocks.h"
+#include "common/denoise/mean_side.h"
+#include "common/denoise/noise_estimate.h"
+#include "common/denoise/normal_filter.h"
+#include "common/denoise/unless_left.h"
+
+namespace burnish {
+namespace {
+
+constexpr double kNoiseMin = 0.02;  // mean edges; the least that a pass takes without more detail
+constexpr double kPassesPerEdge = 20;
+// Noise of so many mean edges turns normals across an edge angle of 35 degrees, and beyond.
+constexpr double kTurningNoise = 0.1, kWholeTurningNoise = 0.2;
+constexpr double kSharpPerGentle = 5;  // the wrong preset for parts costs more than a missed one
+constexpr double kCosGentle = 0.984807753, kCosSharp = 0.258819045;  // of 10 and of 75 degrees
+
+const EdgeFilter& machined() {
+  static const EdgeFilter filter = find_edge_preset("machined")->filter;
+  return filter;
+}
+
+bool meet_at_an_edge(const Triangle& one, const Triangle& other) {
+  int common = 0;
+  for (const uint32_t place : one) common += std::ranges::count(other, place) > 0;
+  return common == 2;
+}
+
+/// Returns how many pairs of neighbours of triangle t, or of its later ones, bend by an angle whose
+/// cosine is in (from, to].
+int bends_between(const DenoiseSurface& surface, std::span<const NormalAndArea> normals, size_t t,
+                  double from, double to) {
+  int bends = 0;
+  for (const uint32_t other : surface.rings[t]) {
+    if (other < t || !meet_at_an_edge(surface.welded.triangle(t), surface.welded.triangle(other)))
+      continue;
+    const double cosine = normal_of(normals[t]).dot(normal_of(normals[other]));
+    bends += from < cosine && cosine <= to;
+  }
+  return bends;
+}
+
+bool is_machined(const DenoiseSurface& surface, const ScratchSpace& space, const LoopPart& part) {
+  NormalFilter filter(surface.welded, surface.rings, machined().kind, machined().sigma(), space,
+                      part.of(0, 0.2));
+  for (int pass = 0; pass < machined().passes; ++pass)
+    filter.pass(part_of_pass(part.of(0.2, 0.9), pass, machined().passes));
+  const auto count = [&](double from, double to, const LoopPart& counting) {
+    return heard_sum(counting, surface.rings.size(), [&](size_t t) {
+      return static_cast<double>(bends_between(surface, filter.normals(), t, from, to));
+    });
+  };
+  const double sharp = count(-2, kCosSharp, part.of(0.9, 0.95));
+  const double gentle = count(kCosSharp, kCosGentle, part.of(0.95, 1));
+  return sharp > kSharpPerGentle * gentle;
+}
+
+EdgeFilter few_passes(double noise_in_edges) {
+  const double turning = std::clamp(
+      (noise_in_edges - kTurningNoise) / (kWholeTurningNoise - kTurningNoise), 0.0, 1.0);
+  const EdgeFilter narrow = find_edge_preset("scanner")->filter;
+  const EdgeFilter wide = find_edge_preset("soft")->filter;
+  EdgeFilter filter = narrow;
+  filter.edge_angle = std::round(std::lerp(narrow.edge_angle, wide.edge_angle, turning));
+  filter.passes = std::clamp(static_cast<int>(std::lround(kPassesPerEdge * noise_in_edges)), 1,
+                             narrow.passes);
+  filter.crispness = std::lerp(0.5, 1.0, turning);
+  return filter;
+}
+
+EdgeProposal proposed(const DenoiseSurface& surface, const ScratchSpace& space,
+                      const Progress& progress) {
+  const LoopPart noise = {progress, "noise"}, edges = {progress, "edges"};
+  EdgeProposal proposal;
+  proposal.noise = noise_deviation(surface.welded, noise.of(0, 0.9));
+  proposal.mean_edge = mean_side(surface.welded, noise.of(0.9, 1));
+  if (proposal.noise_in_edges() < kNoiseMin) return proposal;
+  proposal.is_machined = is_machined(surface, space, edges);
+  proposal.filter = proposal.is_machined ? machined() : few_passes(proposal.noise_in_edges());
+  return proposal;
+}
+
+}  // namespace
+
+Result<EdgeProposal> propose_edges(const DenoiseSurface& surface, const ScratchSpace& space,
+                                   const Progress& progress) {
+  return unless_left([&] { return proposed(surface, space, progress); });
+}
+
+std::string text_of(const EdgeProposal& proposal) {
+  char noise[80];
+  std::snprintf(noise, sizeof noise, "noise about %.2g (%.2f mean edges), ", proposal.noise,
+                proposal.noise_in_edges());
+  if (!proposal.filter.is_on()) return std::string(noise) + "too little to take away";
+  return noise + std::string(proposal.is_machined ? "machined part: " : "") +
+         text_of(proposal.filter);
+}
+
+}  // namespace burnish
