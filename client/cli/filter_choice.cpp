@@ -78,7 +78,7 @@ void add_filter_options(CLI::App& command, FilterChoice& choice) {
 }
 
 void add_edge_options(CLI::App& command, FilterChoice& choice) {
-  std::string presets;
+  std::string presets = std::string("\n") + kAutoEdges + ": as the scan's own noise and edges ask";
   for (const EdgePreset& preset : edge_presets())
     presets.append("\n").append(preset.name).append(": ").append(preset.scans);
   CLI::Option* keep =
@@ -87,7 +87,9 @@ void add_edge_options(CLI::App& command, FilterChoice& choice) {
                       "Take noise away and keep edges before --beta smooths or sharpens" + presets)
           ->type_name("NAME")
           ->check([](const std::string& name) {
-            return usage_message(find_edge_preset(name).status());
+            const Status known = find_edge_preset(name).status();
+            if (known.is_ok() || name == kAutoEdges) return std::string();
+            return usage_message(known) + ", " + kAutoEdges;
           });
   command.add_option("--edge-strength", choice.edge_strength, "How much of it (default 1)")
       ->check(in_range(0.0, 1.0))
@@ -127,9 +129,15 @@ static Status add_layers(const FilterChoice& choice, Changes& changes) {
 // Without another fidelity waves of some edges are its own.
 static Status add_edges(const FilterChoice& choice, const ScanLengths& scan, Changes& changes) {
   if (choice.keep_edges.empty()) return Status::ok();
-  ASSIGN_OR_RETURN(EdgePreset preset, find_edge_preset(choice.keep_edges));
-  EdgeFilter& filter = preset.filter;
-  filter.strength = choice.edge_strength.value_or(filter.strength);
+  EdgeFilter filter;
+  if (choice.asks_for_proposal()) {
+    BURNISH_CHECK(choice.proposed_edges, "the front has asked the scan");
+    filter = *choice.proposed_edges;
+  } else {
+    ASSIGN_OR_RETURN(const EdgePreset preset, find_edge_preset(choice.keep_edges));
+    filter = preset.filter;
+  }
+  if (filter.is_on()) filter.strength = choice.edge_strength.value_or(filter.strength);
   filter.edge_angle = choice.edge_angle.value_or(filter.edge_angle);
   filter.passes = choice.edge_passes.value_or(filter.passes);
   filter.crispness = choice.crispness.value_or(filter.crispness);

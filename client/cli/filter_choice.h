@@ -11,6 +11,8 @@
 
 namespace burnish {
 
+inline constexpr const char* kAutoEdges = "auto";  ///< by the scan's own noise
+
 /// A filter as a user names it on the command line.
 struct FilterChoice {
   std::optional<double> alpha, beta, wavelength;
@@ -20,12 +22,14 @@ struct FilterChoice {
   Equaliser equaliser;
   std::string palette_file;
   std::optional<double> colour_beta, colour_alpha;
-  std::string keep_edges;  ///< name of an edge preset; empty: edges are not kept
+  std::string keep_edges;  ///< name of an edge preset, or kAutoEdges; empty: edges are not kept
+  std::optional<EdgeFilter> proposed_edges;  ///< with kAutoEdges, by the scan
   std::optional<double> edge_strength, edge_angle, crispness;
   std::optional<int> edge_passes;
 
   /// Returns whether the edits depend on the scan.
   bool needs_scan() const { return wavelength || !preset.empty() || keeps_edges(); }
+  bool asks_for_proposal() const { return keep_edges == kAutoEdges; }
   bool keeps_edges() const { return !keep_edges.empty() && edge_strength.value_or(1) > 0; }
 };
 

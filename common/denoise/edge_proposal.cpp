@@ -61,15 +61,15 @@ bool is_machined(const DenoiseSurface& surface, const ScratchSpace& space, const
 }
 
 EdgeFilter few_passes(double noise_in_edges) {
-  const double turning = std::clamp(
-      (noise_in_edges - kTurningNoise) / (kWholeTurningNoise - kTurningNoise), 0.0, 1.0);
+  const double turning =
+      std::clamp((noise_in_edges - kTurningNoise) / (kWholeTurningNoise - kTurningNoise), 0.0, 1.0);
   const EdgeFilter narrow = find_edge_preset("scanner")->filter;
   const EdgeFilter wide = find_edge_preset("soft")->filter;
   EdgeFilter filter = narrow;
   filter.edge_angle = std::round(std::lerp(narrow.edge_angle, wide.edge_angle, turning));
-  filter.passes = std::clamp(static_cast<int>(std::lround(kPassesPerEdge * noise_in_edges)), 1,
-                             narrow.passes);
-  filter.crispness = std::lerp(0.5, 1.0, turning);
+  filter.passes =
+      std::clamp(static_cast<int>(std::lround(kPassesPerEdge * noise_in_edges)), 1, narrow.passes);
+  filter.crispness = std::round(100 * std::lerp(0.5, 1.0, turning)) / 100;
   return filter;
 }
 

@@ -46,8 +46,9 @@ Result<NormalFilterKind> parse_normal_filter(std::string_view word) {
 std::string text_of(const EdgeFilter& filter) {
   if (!filter.is_on()) return "edges not kept";
   char text[120];
-  std::snprintf(text, sizeof text, "edges kept at strength %g, angle %g, %d passes, crispness %g%s",
-                filter.strength, filter.edge_angle, filter.passes, filter.crispness,
+  std::snprintf(text, sizeof text, "edges kept at strength %g, angle %g, %d %s, crispness %g%s",
+                filter.strength, filter.edge_angle, filter.passes,
+                filter.passes == 1 ? "pass" : "passes", filter.crispness,
                 filter.kind == NormalFilterKind::kEdges ? ", machined" : "");
   return text;
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "common/denoise/edge_proposal.h"
 #include "common/edit/wavelength.h"
 #include "common/mesh/statistics.h"
 #include "server/prepare/prepare.h"
@@ -53,6 +54,12 @@ Status report_filtered(const NoisyShape& shape, BenchTable& table) {
       const TriangleMesh kept,
       filtered(shape.noisy, {wave_of(shape.noisy, kEdgeWaveEdges), SetEdges{shape.preset.filter}}));
   add(shape, name_of(shape.preset), shape.clean, kept, table);
+  ASSIGN_OR_RETURN(const auto surface, make_denoise_surface(shape.noisy));
+  ASSIGN_OR_RETURN(const EdgeProposal proposal, propose_edges(*surface));
+  ASSIGN_OR_RETURN(
+      const TriangleMesh proposed,
+      filtered(shape.noisy, {wave_of(shape.noisy, kEdgeWaveEdges), SetEdges{proposal.filter}}));
+  add(shape, "edges kept, auto", shape.clean, proposed, table);
   return Status::ok();
 }
 

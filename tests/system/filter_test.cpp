@@ -496,10 +496,31 @@ TEST_F(FilterCommand, KeepsTheEdgesOfANoisyPart) {
   EXPECT_EQ(read_mesh(out())->vertices, noisy.vertices);
 }
 
+TEST_F(FilterCommand, TheScansOwnNoiseSaysHowEdgesAreKept) {
+  ASSERT_EQ(burnish({"generate", "part", in(), "--vertices", "2500", "--noise", "0.2",
+                     "--noise-kind", "gauss"}),
+            0)
+      << output_;
+  ASSERT_EQ(burnish({"filter", in(), out(), "--keep-edges", "machined"}), 0) << output_;
+  const auto expected = read_mesh(out())->vertices;
+  ASSERT_EQ(
+      burnish({"filter", in(), out(), "--keep-edges", "auto", "--report", path("report.json")}), 0);
+  EXPECT_THAT(output_, HasSubstr("mean edges), machined part: edges kept at strength 1"));
+  EXPECT_EQ(read_mesh(out())->vertices, expected);
+  const nlohmann::json edges = report().at("edges");
+  EXPECT_EQ(edges.at("filter"), "edges");
+  EXPECT_NEAR(edges.at("noise_in_edges").get<double>(), 0.2, 0.04);
+
+  ASSERT_EQ(burnish({"generate", "part", in(), "--vertices", "2500", "--noise", "0"}), 0);
+  ASSERT_EQ(burnish({"filter", in(), out(), "--keep-edges", "auto"}), 0) << output_;
+  EXPECT_THAT(output_, HasSubstr("too little to take away"));
+  EXPECT_EQ(read_mesh(out())->vertices, read_mesh(in())->vertices);
+}
+
 TEST_F(FilterCommand, WordsOfKeptEdgesAreChecked) {
   EXPECT_EQ(burnish({"filter", in(), out(), "--keep-edges", "corners"}), 2);
   EXPECT_THAT(output_, HasSubstr("'corners' keeps no edges; there are machined, scanner, soft, "
-                                 "relief"));
+                                 "relief, auto"));
   EXPECT_EQ(burnish({"filter", in(), out(), "--keep-edges", "soft", "--edge-angle", "3"}), 2);
   EXPECT_THAT(output_, HasSubstr("3 is outside 5 to 120"));
   EXPECT_EQ(burnish({"filter", in(), out(), "--crispness", "1"}), 2);

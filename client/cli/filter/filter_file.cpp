@@ -7,6 +7,7 @@
 #include "client/cli/filter/filter_output.h"
 #include "client/cli/filter/filter_report.h"
 #include "common/base/out_of_memory.h"
+#include "common/denoise/denoise.h"
 #include "common/mesh/mesh_io.h"
 #include "server/memory/opening_need.h"
 #include "server/solver/device_probe.h"
@@ -61,9 +62,24 @@ const char* how_to_free(const HeldRims& rims) {
   return rims.held == 1 ? "; --pin-rims off lets it move" : "; --pin-rims off lets them move";
 }
 
-Status apply_edits(const FilterOptions& options, const std::vector<Edit>& edits, Session& session) {
+/// Asks the scan's own noise, if the user leaves it to that, and says the answer.
+Status propose(const PreparedMesh& prepared, const Progress& progress, FilterChoice& choice,
+               FilterRun& run) {
+  if (!choice.asks_for_proposal()) return Status::ok();
+  MeshView mesh;
+  mesh.vertices = prepared.vertices;
+  mesh.triangles = prepared.triangles;
+  ASSIGN_OR_RETURN(const auto surface, make_denoise_surface(mesh, {}, progress));
+  ASSIGN_OR_RETURN(run.proposal, propose_edges(*surface, {}, progress));
+  choice.proposed_edges = run.proposal->filter;
+  std::cerr << text_of(*run.proposal) << "\n";
+  return Status::ok();
+}
+
+Status apply_edits(const FilterOptions& options, const FilterChoice& choice,
+                   const std::vector<Edit>& edits, Session& session) {
   const PreparedMesh& prepared = session.prepared();
-  ASSIGN_OR_RETURN(const auto filter, changes_of(options.filter,
+  ASSIGN_OR_RETURN(const auto filter, changes_of(choice,
                                                  {prepared.length_unit, prepared.frame.cell_size,
                                                   prepared.statistics.mean_edge_length},
                                                  {}));
@@ -152,7 +168,9 @@ Result<FilteredFacts> filter_file(const FilterOptions& options, const std::vecto
   const auto& prepared = *preparing;
   ASSIGN_OR_RETURN(const Multigrid multigrid, make_hierarchy(prepared, printer.progress(), run));
   ASSIGN_OR_RETURN(const auto session, Session::open(multigrid, options.solver));
-  RETURN_IF_ERROR(apply_edits(options, edits, *session));
+  FilterChoice choice = options.filter;
+  RETURN_IF_ERROR(propose(*prepared, printer.progress(), choice, run));
+  RETURN_IF_ERROR(apply_edits(options, choice, edits, *session));
   if (!options.fields_file.empty())
     RETURN_IF_ERROR(write_fields_file(*session, options.fields_file));
   ASSIGN_OR_RETURN(run.solve, session->solve(options.solve, printer.progress()));

@@ -76,6 +76,22 @@ static ordered_json walls_of(const ThinWalls& walls) {
           {"depth", walls.depth > 0 ? ordered_json(walls.depth) : ordered_json()}};
 }
 
+static ordered_json edges_of(const Session& session, const FilterRun& run) {
+  const EdgeFilter& edges = session.fields().settings().edges;
+  ordered_json report = nullptr;
+  if (edges.is_on())
+    report = {{"filter", std::string(name_of(edges.kind))},
+              {"strength", edges.strength},
+              {"angle", edges.edge_angle},
+              {"passes", edges.passes},
+              {"crispness", edges.crispness}};
+  if (run.proposal) {
+    report["noise"] = run.proposal->noise;
+    report["noise_in_edges"] = run.proposal->noise_in_edges();
+  }
+  return report;
+}
+
 Status write_filter_report(const Session& session, const FilterRun& run,
                            const std::filesystem::path& path) {
   const ordered_json report = {{"grid", grid_of(session.prepared())},
@@ -84,6 +100,7 @@ Status write_filter_report(const Session& session, const FilterRun& run,
                                {"rims", rims_of(session)},
                                {"walls", walls_of(session.prepared().walls)},
                                {"backend_reason", session.solver().backend_reason()},
+                               {"edges", edges_of(session, run)},
                                {"threads", thread_count()},
                                {"phases", phases_of(run)},
                                {"memory", memory_of(session, run)},

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "common/base/status.h"
+#include "common/denoise/edge_proposal.h"
 #include "server/prepare/prepare.h"
 #include "server/session/session.h"
 
@@ -18,7 +19,8 @@ struct FilterRun {
   int32_t corners = 0;
   SolveReport solve;
   double write_seconds = 0;
-  std::optional<double> volume;  ///< over the scan's; nothing unless it is to be kept
+  std::optional<EdgeProposal> proposal;  ///< with --keep-edges auto
+  std::optional<double> volume;          ///< over the scan's; nothing unless it is to be kept
 };
 
 /// Writes JSON: grid, counts, seconds and peak bytes by phase, memory, cycles, energy and the
