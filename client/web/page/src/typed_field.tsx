@@ -21,21 +21,21 @@ export function TypedField({ name, shown, onTake, ...rest }: TypedFieldProps) {
   const isTyping = useRef(false);
   const awaitsAnswer = useRef(false); // what is shown may be older than what was taken
   // Text that was set has no selection: what is typed next would stand behind it.
-  const selectAll = () => field.current === window.document.activeElement && field.current?.select();
+  const selectAll = (input: HTMLInputElement) => input === window.document.activeElement && input.select();
   useLayoutEffect(() => {
     awaitsAnswer.current = false;
-    if (!isTyping.current) selectAll();
+    if (!isTyping.current) selectAll(field.current!);
   }, [shown]);
-  const forget = () => {
+  const forget = (input: HTMLInputElement) => {
     isTyping.current = false;
-    field.current!.value = shown;
+    input.value = shown;
     setTyped(null);
-    selectAll();
+    selectAll(input);
   };
-  const take = () => {
-    const text = field.current!.value;
+  const take = (input: HTMLInputElement) => {
+    const text = input.value;
     const isAnother = isTyping.current && (text !== shown || awaitsAnswer.current);
-    forget();
+    forget(input);
     if (!isAnother) return;
     awaitsAnswer.current = true;
     onTake(text);
@@ -47,15 +47,15 @@ export function TypedField({ name, shown, onTake, ...rest }: TypedFieldProps) {
       type="text"
       aria-label={name}
       value={typed ?? shown}
-      onFocus={selectAll}
+      onFocus={(event) => selectAll(event.currentTarget)}
       onInput={(event) => {
         isTyping.current = true;
         setTyped(event.currentTarget.value);
       }}
-      onBlur={take}
+      onBlur={(event) => take(event.currentTarget)}
       onKeyDown={(event) => {
-        if (event.key === "Enter" && !event.isComposing) take();
-        if (event.key === "Escape") forget();
+        if (event.key === "Enter" && !event.isComposing) take(event.currentTarget);
+        if (event.key === "Escape") forget(event.currentTarget);
       }}
     />
   );
