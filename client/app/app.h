@@ -104,6 +104,7 @@ class App {
   ProtectPanel protect_panel_;
   CurvePanel curve_panel_;
   BrushPanel brush_panel_;
+  EdgesPanel edges_panel_;
   EqualiserPanel equaliser_panel_;
   ColourPanel colour_panel_;
   PalettePanel palette_panel_;

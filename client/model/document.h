@@ -118,6 +118,13 @@ class Document {
   const Equaliser& equaliser() const { return settings_.equaliser; }
   const Palette& palette() const { return settings_.palette; }
 
+  /// How edges are kept, likewise. A drag shows strength and crispness at once, other values at
+  /// its end.
+  const EdgeFilter& edges() const { return settings_.edges; }
+  /// Keeps edges as a preset does, and makes fidelity that of waves of kEdgeWaveEdges.
+  void keep_edges(const EdgeFilter& preset);
+  double mean_edge() const { return opened_.scan.scan.statistics.mean_edge_length; }
+
   /// How the scan's colours are filtered, likewise. Needs: has_colours().
   const ColourFilter& colour_filter() const { return settings_.colour; }
 
@@ -144,7 +151,7 @@ class Document {
   void cancel_stroke();
   void move_ring(const std::optional<BrushRing>& ring) { live_->move_brush(ring); }
 
-  /// Undo and redo take both edits of a preset at once, and all strokes of a gesture.
+  /// Undo and redo take all edits of a preset at once, and all strokes of a gesture.
   void undo();
   void redo();
   void switch_entry(uint64_t number, bool on) { send(SwitchEntry{number, on}); }

@@ -1,6 +1,7 @@
 // Presets, and which of them is in force.
 
 #include "client/model/document.h"
+#include "common/edit/wavelength.h"
 
 namespace burnish {
 
@@ -17,6 +18,13 @@ void Document::apply(const Preset& preset, double strength) {
   commit_beta();
   undo_steps_.join_last_two();
   if (has_bands) undo_steps_.join_last_two();
+}
+
+void Document::keep_edges(const EdgeFilter& preset) {
+  curve_.set_curve(TransferCurve(alpha_of_wavelength(length_unit(), kEdgeWaveEdges * mean_edge())));
+  commit(SetEdges{preset});
+  commit_curve();
+  undo_steps_.join_last_two();
 }
 
 void Document::preview_strength(const Preset& preset, double strength) {

@@ -45,7 +45,11 @@ struct LineOf {
   void operator()(const SetColour& change) const {
     line << "colours " << change.filter.beta << ' ' << change.filter.alpha;
   }
-  void operator()(const SetEdges&) const {}  // no session takes one yet
+  void operator()(const SetEdges& change) const {
+    const EdgeFilter& edges = change.filter;
+    line << "edges " << name_of(edges.kind) << ' ' << edges.strength << ' ' << edges.edge_angle
+         << ' ' << edges.passes << ' ' << edges.crispness;
+  }
   void operator()(const Undo&) const { line << "undo"; }
   void operator()(const Redo&) const { line << "redo"; }
   void operator()(const SwitchEntry& change) const {

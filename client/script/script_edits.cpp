@@ -52,6 +52,20 @@ static Result<Equaliser> parse_bands(const std::vector<std::string>& words) {
   return equaliser;
 }
 
+static Result<EdgeFilter> parse_edges(const std::vector<std::string>& words) {
+  EdgeFilter edges;
+  if (words == std::vector<std::string>{"off"}) return edges;
+  if (words.size() != 5)
+    return invalid_argument("edges are off, or FILTER STRENGTH ANGLE PASSES CRISPNESS");
+  ASSIGN_OR_RETURN(edges.kind, parse_normal_filter(words[0]));
+  ASSIGN_OR_RETURN(edges.strength, parse_real(words[1]));
+  ASSIGN_OR_RETURN(edges.edge_angle, parse_real(words[2]));
+  ASSIGN_OR_RETURN(edges.passes, parse_integer(words[3]));
+  ASSIGN_OR_RETURN(edges.crispness, parse_real(words[4]));
+  RETURN_IF_ERROR(check_edge_filter(edges));
+  return edges;
+}
+
 static Result<ColourFilter> parse_colours(const std::vector<std::string>& words,
                                           const Document& document) {
   ColourFilter filter = document.colour_filter();
@@ -73,6 +87,10 @@ Result<std::optional<Change>> parse_setting(const ScriptLine& line, const Docume
   if (line.command == "bands") {
     ASSIGN_OR_RETURN(Equaliser equaliser, parse_bands(line.words));
     return std::optional<Change>(SetEqualiser{std::move(equaliser)});
+  }
+  if (line.command == "edges") {
+    ASSIGN_OR_RETURN(const EdgeFilter edges, parse_edges(line.words));
+    return std::optional<Change>(SetEdges{edges});
   }
   if (line.command == "palette") {
     ASSIGN_OR_RETURN(Palette palette, parse_palette_line(line.rest()));
@@ -134,6 +152,9 @@ Status change_document(const ScriptLine& line, Document& document) {
   } else if (command == "preset") {
     ASSIGN_OR_RETURN(const ChosenPreset chosen, parse_preset(line.words));
     document.apply(chosen.preset, chosen.strength);
+  } else if (command == "keep_edges") {
+    ASSIGN_OR_RETURN(const EdgePreset preset, find_edge_preset(line.words[0]));
+    document.keep_edges(preset.filter);
   } else if (command == "controls") {
     ASSIGN_OR_RETURN(const Controls controls, parse_controls(line.words));
     document.set_controls(controls);

@@ -1,5 +1,6 @@
 #include "common/edit/edge_filter.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -19,10 +20,16 @@ std::string_view name_of(NormalFilterKind kind) {
 std::span<const EdgePreset> edge_presets() {
   using enum NormalFilterKind;
   static constexpr EdgePreset kPresets[] = {
-      {"machined", "parts with sharp edges and flat faces", {1, kEdges, 35, 10, 1}},
-      {"scanner", "scanner noise on any shape; edges stay", {1, kBilateral, 35, 20, 1}},
-      {"soft", "rounded shapes", {1, kBilateral, 53, 5, 1}},
-      {"relief", "reliefs and inscriptions", {1, kBilateral, 35, 5, 0}},
+      {"machined",
+       "Machined part",
+       "parts with sharp edges and flat faces",
+       {1, kEdges, 35, 10, 1}},
+      {"scanner",
+       "Scanner noise, keep edges",
+       "scanner noise on any shape; edges stay",
+       {1, kBilateral, 35, 20, 1}},
+      {"soft", "Soft surface", "rounded shapes", {1, kBilateral, 53, 5, 1}},
+      {"relief", "Relief and inscription", "reliefs and inscriptions", {1, kBilateral, 35, 5, 0}},
   };
   return kPresets;
 }
@@ -34,6 +41,24 @@ Result<EdgePreset> find_edge_preset(std::string_view name) {
     names += (names.empty() ? "" : ", ") + std::string(preset.name);
   }
   return invalid_argument("'" + std::string(name) + "' keeps no edges; there are " + names);
+}
+
+const EdgePreset* preset_of(const EdgeFilter& filter) {
+  for (const EdgePreset& preset : edge_presets()) {
+    EdgeFilter whole = filter;
+    whole.strength = preset.filter.strength;
+    if (whole == preset.filter) return &preset;
+  }
+  return nullptr;
+}
+
+double noise_size(int passes, double mean_edge) {
+  return mean_edge * std::sqrt(passes);
+}
+
+int passes_of_noise_size(double size, double mean_edge) {
+  const double edges = size / mean_edge;
+  return std::clamp(static_cast<int>(std::lround(edges * edges)), 1, kNormalPassesMax);
 }
 
 Result<NormalFilterKind> parse_normal_filter(std::string_view word) {

@@ -38,6 +38,7 @@ struct EdgeFilter {
 /// A filter for a kind of scan, at full strength.
 struct EdgePreset {
   std::string_view name;   ///< a word
+  std::string_view title;  ///< for panels
   std::string_view scans;  ///< what it is for
   EdgeFilter filter;
 };
@@ -46,6 +47,14 @@ struct EdgePreset {
 std::span<const EdgePreset> edge_presets();
 /// Fails: invalid_argument that names the words.
 Result<EdgePreset> find_edge_preset(std::string_view name);
+
+/// Returns the preset with this filter at any strength; null if there is none.
+const EdgePreset* preset_of(const EdgeFilter& filter);
+
+/// Returns the size of noise that so many passes take away, and the other way round. Units: file
+/// units.
+double noise_size(int passes, double mean_edge);
+int passes_of_noise_size(double size, double mean_edge);
 
 /// Returns "bilateral" or "edges".
 std::string_view name_of(NormalFilterKind kind);

@@ -156,6 +156,25 @@ TEST(Script, BandsPaletteAndWhatABrushPaintsAreEdits) {
   EXPECT_THAT(outcome.output, testing::HasSubstr("no bands, palette of 2 curves"));
 }
 
+TEST(Script, KeptEdgesAreEdits) {
+  ServerProcess server;
+  const std::string script = "open " + write_sphere(server.folder, 3) +
+                             "\nkeep_edges scanner\nwait\nprint\n"
+                             "edges edges 0.5 20 3 0.25\nwait\nprint\nundo\nundo\nwait\nprint\n";
+  const CommandOutcome outcome = run_script(server, script);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  const auto scanner =
+      outcome.output.find("edges kept at strength 1, angle 35, 20 passes, crispness 1\n");
+  ASSERT_NE(scanner, std::string::npos) << outcome.output;
+  EXPECT_GT(outcome.output.find(
+                "edges kept at strength 0.5, angle 20, 3 passes, crispness 0.25, machined\n"),
+            scanner);
+  EXPECT_THAT(outcome.output.substr(outcome.output.rfind("beta")),
+              testing::Not(testing::HasSubstr("edges")));
+  EXPECT_THAT(run_script(server, "join sphere\nedges soft\n").output,
+              testing::HasSubstr("FILTER STRENGTH ANGLE PASSES CRISPNESS"));
+}
+
 std::string write_red_sphere(const ServerProcess& server) {
   TriangleMesh mesh = make_icosphere(4, 1);
   mesh.colours.assign(mesh.vertices.size(), Rgba8{200, 10, 10, 255});

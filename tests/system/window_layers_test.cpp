@@ -52,6 +52,22 @@ TEST_F(LayerWindow, AGainThatIsDraggedMovesTheSurface) {
   save_screen("equaliser.png");
 }
 
+TEST_F(LayerWindow, EdgesAreKeptByAPresetAndItsStrengthIsDragged) {
+  open_window();
+  open_panel("Keep edges");
+  click_on("Keep edges/Kept edges");
+  click_on("Keep edges/Machined part");
+  EXPECT_TRUE(eventually([&] { return newest_of(2).summary.starts_with("alpha"); }));
+  scroll_down();
+  const Image before = settle();
+  save_screen("keep-edges.png");
+  const Box strength = places_->wait_for("Keep edges/Strength of kept edges");
+  const int y = strength.y + strength.height / 2;
+  screen_->drag(strength.x + strength.width - 4, y, strength.x + 4, y);
+  EXPECT_THAT(newest_of(3).summary, HasSubstr("edges"));
+  EXPECT_TRUE(until_it_differs(before, 0.1));
+}
+
 TEST_F(LayerWindow, ABrushPaintsACurveOfThePalette) {
   open_window();
   open_panel("Palette");

@@ -44,6 +44,21 @@ void write_curve(const Document& document, JsonWriter& json) {
   json.close();
 }
 
+void write_edges(const Document& document, JsonWriter& json) {
+  const EdgeFilter& edges = document.edges();
+  const EdgePreset* const preset = preset_of(edges);
+  json.key("edges").open().text("filter", std::string(name_of(edges.kind)));
+  json.text("preset", std::string(preset ? preset->name : "")).number("strength", edges.strength);
+  json.number("angle", edges.edge_angle).whole("passes", edges.passes);
+  json.number("crispness", edges.crispness).number("meanEdge", document.mean_edge());
+  json.number("angleMin", kEdgeAngleMin).number("angleMax", kEdgeAngleMax);
+  json.whole("passesMax", kNormalPassesMax).close();
+  json.key("edgePresets").open_list();
+  for (const EdgePreset& one : edge_presets())
+    json.open().text("name", std::string(one.name)).text("title", std::string(one.title)).close();
+  json.close_list();
+}
+
 void write_bands(const Document& document, JsonWriter& json) {
   const Equaliser& equaliser = document.equaliser();
   json.key("bands").open_list();
@@ -105,6 +120,7 @@ void write_tools(const Workspace& workspace, const FrontState& state, JsonWriter
   json.key("controls").open().flag("pinRims", controls.pin_rims).number("cap", controls.cap);
   json.flag("keepVolume", controls.keep_volume).close();
   json.text("rims", rims_text(document)).text("walls", walls_text(document));
+  write_edges(document, json);
   write_bands(document, json);
   write_palette(document, json);
   json.key("colours").open().number("beta", document.colour_filter().beta);

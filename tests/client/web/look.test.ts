@@ -11,7 +11,7 @@ const kSizes = [
   { width: 1024, height: 700 },
   { width: 768, height: 1024 },
 ];
-const kSections = ["Equaliser", "Palette", "Colours", "Light", "Camera"];
+const kSections = ["Keep edges", "Equaliser", "Palette", "Colours", "Light", "Camera"];
 
 /** Returns the names of parts that are wider than their place. */
 const tooWide = (visit: Visit) =>

@@ -230,6 +230,28 @@ test("LimitsHoldRimsMovesAndRegions", () =>
     }
   }));
 
+test("EdgesAreKeptByAPresetOrByValues", () =>
+  bench.visitSession(async (visit) => {
+    const panel = await visit.section("Keep edges");
+    const choice = panel.getByRole("combobox", { name: "Kept edges" });
+    await choice.selectOption("Machined part");
+    await visit.sent("keep_edges machined");
+    await panel.getByRole("slider", { name: "Strength of kept edges" }).fill("500");
+    await visit.sent("preview edges bilateral 0.5 35 4 0");
+    await visit.sent("edges bilateral 0.5 35 4 0");
+    await panel.getByRole("textbox", { name: "Noise size as a number" }).fill("2");
+    await visit.page.keyboard.press("Enter");
+    await visit.sent("edges bilateral 1 35 16 0");
+    await panel.getByRole("textbox", { name: "Edge angle as a number" }).fill("200");
+    await visit.page.keyboard.press("Enter");
+    await visit.sent("edges bilateral 1 120 4 0");
+    await visit.page.getByText("200 is outside 5 to 120").waitFor();
+    await choice.selectOption("Off");
+    await visit.sent("edges off");
+    await visit.document({ edges: { ...session.edges, strength: 0, preset: "" } });
+    await panel.getByRole("slider", { name: "Edge angle" }).waitFor({ state: "detached" });
+  }));
+
 test("EqualiserSendsAllBands", () =>
   bench.visitSession(async (visit) => {
     const panel = await visit.section("Equaliser");

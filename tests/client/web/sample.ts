@@ -65,6 +65,22 @@ export const session: Document = {
   rims: "rims: 3 of 5 stay",
   walls:
     "Walls: 24 % of the surface is thinner than a cell; an edit of one side moves the other.",
+  edges: {
+    filter: "bilateral",
+    preset: "relief",
+    strength: 1,
+    angle: 35,
+    passes: 4,
+    crispness: 0,
+    meanEdge: 0.5,
+    angleMin: 5,
+    angleMax: 120,
+    passesMax: 100,
+  },
+  edgePresets: [
+    { name: "machined", title: "Machined part" },
+    { name: "relief", title: "Relief and inscription" },
+  ],
   bands: [
     { size: 2, gain: 1, details: "finer than 2" },
     { size: 8, gain: 1.5, details: "2 to 8" },

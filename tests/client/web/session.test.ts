@@ -118,7 +118,7 @@ test("TabReachesEveryPanelFromTheMenus", () =>
       });
       reached.add(section);
     }
-    for (const name of ["Filter", "Transfer curve α(κ)", "Brush", "Limits", "Equaliser", "Palette", "CANVAS", "View", "History", "People", "Numbers", "Light", "Camera"])
+    for (const name of ["Filter", "Transfer curve α(κ)", "Brush", "Limits", "Keep edges", "Equaliser", "Palette", "CANVAS", "View", "History", "People", "Numbers", "Light", "Camera"])
       assert.ok(reached.has(name), `Tab does not reach ${name}`);
   }));
 

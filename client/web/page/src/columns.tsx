@@ -5,6 +5,7 @@ import { BrushPanel } from "./brush_panel";
 import { ColourPanel } from "./colour_panel";
 import { Section, Figures } from "./controls";
 import { CurvePanel } from "./curve_panel";
+import { EdgesPanel } from "./edges_panel";
 import { EqualiserPanel } from "./equaliser_panel";
 import { FilterPanel, type PanelProps, type PresetProps } from "./filter_panel";
 import { Gradual } from "./gradual";
@@ -48,6 +49,9 @@ export function EditColumn(props: PresetProps & { children?: preact.ComponentChi
         </Section>
         <Section name="Limits">
           <LimitsPanel document={document} />
+        </Section>
+        <Section name="Keep edges" folded>
+          <EdgesPanel document={document} />
         </Section>
         <Section name="Equaliser" folded>
           <EqualiserPanel document={document} />

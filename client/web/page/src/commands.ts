@@ -1,6 +1,6 @@
 // The lines that the page sends. Lines of the script language do the same in `burnish --script`.
 
-import type { Brush, ColourBy, FallOff, Lasso, Light, Role, Tool, UpAxis } from "./snapshot";
+import type { Brush, ColourBy, Edges, FallOff, Lasso, Light, Role, Tool, UpAxis } from "./snapshot";
 
 /** A line of a front: its form and its meaning. */
 export interface FrontCommand {
@@ -14,6 +14,7 @@ export const frontCommands: readonly FrontCommand[] = [
   { form: "preview preset NAME STRENGTH", means: "shows a strength of a preset during a drag; `preset` ends it" },
   { form: "preview fidelity ALPHA", means: "shows a fidelity during a drag; `fidelity ALPHA` ends it" },
   { form: "preview bands [SIZE:GAIN]...", means: "shows bands during a drag; `bands` ends it" },
+  { form: "preview edges FILTER STRENGTH ANGLE PASSES CRISPNESS", means: "shows kept edges during a drag" },
   { form: "preview palette CURVE RRGGBB NAME [; ...]", means: "shows a palette during a drag" },
   { form: "preview colours BETA ALPHA", means: "shows a filter of colours during a drag" },
   { form: "preview controls PIN CAP KEEP", means: "shows controls during a drag" },
@@ -91,6 +92,10 @@ export const command = {
   presetKeep: (text: string) => words("preset_keep", name(text)),
   presetDelete: (text: string) => words("preset_delete", text),
   controls: (pin: boolean, cap: number, keep: boolean) => words("controls", onOff(pin), cap, onOff(keep)),
+  keepEdges: (preset: string) => words("keep_edges", preset),
+  edges: (edges: Edges) =>
+    words("edges", edges.filter, edges.strength, edges.angle, edges.passes, edges.crispness),
+  noEdges: () => "edges off",
   bands: bandsText,
   firstBands: () => "bands first",
   palette: paletteText,

@@ -108,6 +108,23 @@ export interface Curve {
   histogram: number[];
 }
 
+/** How edges are kept; off at strength 0. */
+export interface Edges {
+  filter: string;
+  /** Empty: none has these values. */
+  preset: string;
+  strength: number;
+  /** Degrees. */
+  angle: number;
+  passes: number;
+  crispness: number;
+  /** Of the scan, in its units. */
+  meanEdge: number;
+  angleMin: number;
+  angleMax: number;
+  passesMax: number;
+}
+
 export interface Band {
   size: number;
   gain: number;
@@ -272,6 +289,8 @@ export interface Document {
   rims: string;
   /** How much of the scan is on thin walls, in words; empty: nothing is told. */
   walls: string;
+  edges: Edges;
+  edgePresets: { name: string; title: string }[];
   bands: Band[];
   /** By how much waves are multiplied, from two cells to the diagonal, evenly in log length. */
   response: number[];

@@ -1,0 +1,68 @@
+#include "client/app/panels.h"
+#include "client/app/places.h"
+#include "client/app/theme.h"
+#include "client/app/value_slider.h"
+
+namespace burnish {
+namespace {
+
+void draw_presets(Document& document) {
+  const EdgeFilter& edges = document.edges();
+  const EdgePreset* const shown = preset_of(edges);
+  const std::string title(!edges.is_on() ? "Off" : shown ? shown->title : "Own values");
+  ImGui::SetNextItemWidth(-1);
+  if (!noted("Kept edges", ImGui::BeginCombo("##edges", title.c_str()))) return;
+  if (noted("Keep no edges", ImGui::Selectable("Off", !edges.is_on()))) document.commit(SetEdges{});
+  for (const EdgePreset& preset : edge_presets()) {
+    const std::string name(preset.title);
+    if (noted(name, ImGui::Selectable(name.c_str(), edges.is_on() && shown == &preset)))
+      document.keep_edges(preset.filter);
+    hint(("For " + std::string(preset.scans)).c_str());
+  }
+  ImGui::EndCombo();
+}
+
+SliderChange draw_value(const char* name, const char* meaning, double least, double most,
+                        double& value, MessageLog& log) {
+  ImGui::TextUnformatted(name);
+  hint(meaning);
+  return linear_slider({{name, least, most}, "%.3g", log}, value);
+}
+
+SliderChange draw_noise_size(const Document& document, int& passes, MessageLog& log) {
+  const double edge = document.mean_edge();
+  double size = noise_size(passes, edge);
+  ImGui::TextUnformatted("Noise size");
+  hint("Noise of up to about this length goes, in the scan's units. More takes longer.");
+  const SliderChange change =
+      log_slider({{"Noise size", edge, noise_size(kNormalPassesMax, edge)}, "%.3g", log}, size);
+  if (change != SliderChange::kStill) passes = passes_of_noise_size(size, edge);
+  return change;
+}
+
+void draw_values(Document& document, MessageLog& log) {
+  EdgeFilter changed = document.edges();
+  SliderChange change = draw_value("Strength of kept edges", "How much of the noise goes", 0, 1,
+                                   changed.strength, log);
+  change = std::max(change, draw_value("Crispness", "Low for relief, high for machined parts", 0, 1,
+                                       changed.crispness, log));
+  change = std::max(change, draw_value("Edge angle", "Degrees: sharper bends are edges, and stay",
+                                       kEdgeAngleMin, kEdgeAngleMax, changed.edge_angle, log));
+  change = std::max(change, draw_noise_size(document, changed.passes, log));
+  if (change == SliderChange::kMoving) document.preview(SetEdges{changed});
+  if (change == SliderChange::kDone) document.commit(SetEdges{changed});
+}
+
+}  // namespace
+
+void EdgesPanel::draw(Workspace& workspace) {
+  Document& document = *workspace.document();
+  ImGui::BeginDisabled(document.is_viewer());
+  faint_text("%s",
+             "Noise goes, edges stay, and what is sharpened is the surface without its noise.");
+  draw_presets(document);
+  if (document.edges().is_on()) draw_values(document, workspace.log);
+  ImGui::EndDisabled();
+}
+
+}  // namespace burnish
