@@ -171,8 +171,9 @@ TEST(Script, KeptEdgesAreEdits) {
             scanner);
   EXPECT_THAT(outcome.output.substr(outcome.output.rfind("beta")),
               testing::Not(testing::HasSubstr("edges")));
-  EXPECT_THAT(run_script(server, "join sphere\nedges soft\n").output,
-              testing::HasSubstr("FILTER STRENGTH ANGLE PASSES CRISPNESS"));
+  EXPECT_THAT(
+      run_script(server, "open " + write_sphere(server.folder, 3) + "\nedges soft\n").output,
+      testing::HasSubstr("FILTER STRENGTH ANGLE PASSES CRISPNESS"));
 }
 
 std::string write_red_sphere(const ServerProcess& server) {

@@ -22,12 +22,13 @@ TEST(Recorder, EveryEditThatAWindowMakesHasALine) {
   recorder.record(Edit{"4", Undo{}});
   recorder.record(Edit{"5", SwitchEntry{3, true}});
   recorder.record(Edit{"6", SetCheckpoint{"first draft"}});
+  recorder.record(Edit{"7", SetEdges{{0.5, NormalFilterKind::kEdges, 20, 3, 0.25}}});
   std::ifstream file(path);
   const std::string lines{std::istreambuf_iterator<char>(file), {}};
   EXPECT_EQ(lines,
             "beta 0.5\ncurve -1:5,2:50\nstroke 2 0.5 0 smooth through 1 2 3\n"
             "stroke 2 1 0 smooth 1 2 3\nundo\nswitch 3 on\n"
-            "checkpoint first draft\n");
+            "checkpoint first draft\nedges edges 0.5 20 3 0.25\n");
 }
 
 TEST(Recorder, NumbersAreReadBackAsTheyWere) {
