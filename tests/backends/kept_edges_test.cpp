@@ -82,7 +82,9 @@ TEST_F(OnADevice, KeptEdgesTakeMemoryThereWhileTheyAreOn) {
   Filtered filtered(noisy_part(), kDepthOfPart, {.backend = BackendKind::kCuda, .devices = 1});
   const uint64_t matrices = sizeof(TargetGradient) * filtered.session().prepared().cells.size();
   const Solver& solver = filtered.session().solver();
-  filtered.alpha(20).beta(2).after(1);
+  // What the first edits make room for stays.
+  filtered.alpha(20).beta(2).edges(machined(1)).after(1);
+  filtered.edges(machined(0)).after(1);
   const uint64_t before = cuda_memory_used(), own = solver.byte_count();
   filtered.edges(machined(1)).after(1);
   filtered.edges(machined(0.5)).after(1);
