@@ -104,8 +104,8 @@ struct Edit {
 };
 
 /// What a gesture shows before it is an edit.
-using PreviewChange =
-    std::variant<SetGradientScale, SetTransferCurve, Stroke, SetEqualiser, SetPalette, SetColour>;
+using PreviewChange = std::variant<SetGradientScale, SetTransferCurve, Stroke, SetEqualiser,
+                                   SetPalette, SetColour, SetEdges>;
 
 /// In the order of Change. edit_kinds.cpp has a row for each.
 enum class EditKind {

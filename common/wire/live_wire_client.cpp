@@ -77,6 +77,7 @@ Result<Preview> read_preview(const v1::Preview& message) {
   if (message.has_equaliser()) *whole.mutable_equaliser() = message.equaliser();
   if (message.has_palette()) *whole.mutable_palette() = message.palette();
   if (message.has_colour()) *whole.mutable_colour() = message.colour();
+  if (message.has_edges()) *whole.mutable_edges() = message.edges();
   ASSIGN_OR_RETURN(Edit edit, from_wire(whole));
   return Preview{std::move(edit.id), *preview_of(std::move(edit.change))};
 }

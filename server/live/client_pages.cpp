@@ -40,7 +40,8 @@ PageWishes::PageWishes(std::shared_ptr<ScanPageSource> source, const Greeting& g
       insisted_(greeting.kind),
       knows_held_(greeting.knows_held),
       kind_(greeting.kind.value_or(PageFrameKind::kVertices)),
-      made_(std::make_shared<const ClientPages>(ClientPages{.kind = kind_})),
+      made_(std::make_shared<const ClientPages>(
+          ClientPages{.kind = kind_, .insists = greeting.kind.has_value()})),
       memory_(std::move(memory)) {}
 
 Result<bool> PageWishes::want(const ShowPages& change) {
@@ -58,21 +59,29 @@ Result<bool> PageWishes::want(const ShowPages& change) {
   return !std::exchange(is_making_, true);
 }
 
+bool PageWishes::set_layer(bool is_there) {
+  const std::lock_guard lock(mutex_);
+  if (std::exchange(has_layer_, is_there) == is_there || insisted_) return false;
+  return !std::exchange(is_making_, true);
+}
+
 Result<bool> PageWishes::make_some() {
   ShownPages wanted;
+  bool has_layer = false;
   {
     const std::lock_guard lock(mutex_);
     wanted = wanted_;
+    has_layer = has_layer_;
   }
   bool is_whole = false;
   RETURN_IF_ERROR(load(wanted, is_whole));
   if (!is_whole) return true;
-  if (const PageFrameKind kind = choose(); kind != kind_) {
+  if (const PageFrameKind kind = choose(has_layer); kind != kind_) {
     kind_ = kind;
     loaded_.clear();
     return true;
   }
-  return publish(gather(wanted));
+  return publish(gather(wanted), has_layer);
 }
 
 // Drops pages that are not wanted any more, and loads some of the missing ones.
@@ -89,8 +98,9 @@ Status PageWishes::load(const ShownPages& wanted, bool& is_whole) {
   return Status::ok();
 }
 
-PageFrameKind PageWishes::choose() const {
+PageFrameKind PageWishes::choose(bool has_layer) const {
   if (insisted_) return *insisted_;
+  if (has_layer) return PageFrameKind::kVertices;
   if (loaded_.empty()) return kind_;
   // Details of colours may be finer than a cell.
   if (is_colours(loaded_.rbegin()->first)) return PageFrameKind::kVertices;
@@ -104,7 +114,7 @@ PageFrameKind PageWishes::choose() const {
 }
 
 ClientPages PageWishes::gather(const ShownPages& wanted) const {
-  ClientPages made{.kind = kind_, .knows_held = knows_held_};
+  ClientPages made{.kind = kind_, .knows_held = knows_held_, .insists = insisted_.has_value()};
   std::vector<ShownPage> shown;
   for (const auto& [number, page] : loaded_) {
     made.pages.push_back(page);
@@ -114,12 +124,12 @@ ClientPages PageWishes::gather(const ShownPages& wanted) const {
   return made;
 }
 
-Result<bool> PageWishes::publish(ClientPages pages) {
+Result<bool> PageWishes::publish(ClientPages pages, bool has_layer) {
   const uint64_t bytes = predict_client_bytes(pages.shown.pages());
   const std::lock_guard lock(mutex_);
   RETURN_IF_ERROR(grow(bytes));
   made_ = std::make_shared<const ClientPages>(std::move(pages));
-  is_making_ = wanted_.revision() != made_->shown.revision();
+  is_making_ = wanted_.revision() != made_->shown.revision() || has_layer != has_layer_;
   return is_making_;
 }
 

@@ -16,6 +16,7 @@ namespace burnish {
 struct ClientPages {
   PageFrameKind kind = PageFrameKind::kVertices;
   bool knows_held = false;  ///< frames may name the vertices that stay
+  bool insists = false;     ///< the client takes no other kind
   ShownPages shown;
   std::vector<std::shared_ptr<const LivePage>> pages;  ///< one per shown page, in its order
 };
@@ -38,6 +39,10 @@ class PageWishes {
   /// the server's memory has no room for the list).
   Result<bool> want(const ShowPages& change);
 
+  /// Says whether vertices move otherwise than their corners say. Then pages are of kind kVertices,
+  /// unless the client insists on the other one. Returns as want() does.
+  bool set_layer(bool is_there);
+
   /// Makes some of the wanted pages; made() has the newest revision as soon as it has all of them.
   /// Returns whether more is to do. Takes some milliseconds. Fails: as
   /// ScanPageSource::find_or_make().
@@ -58,9 +63,9 @@ class PageWishes {
   using Loaded = std::map<PageId, std::shared_ptr<const LivePage>>;
 
   Status load(const ShownPages& wanted, bool& is_whole);
-  PageFrameKind choose() const;
+  PageFrameKind choose(bool has_layer) const;
   ClientPages gather(const ShownPages& wanted) const;
-  Result<bool> publish(ClientPages pages);
+  Result<bool> publish(ClientPages pages, bool has_layer);
   Status grow(uint64_t bytes);
 
   const std::shared_ptr<ScanPageSource> source_;
@@ -72,6 +77,7 @@ class PageWishes {
 
   mutable std::mutex mutex_;  // guards the following members
   ShownPages wanted_;         // numbers alone, without layouts
+  bool has_layer_ = false;
   bool is_making_ = false;
   std::shared_ptr<const ClientPages> made_;
   Quota::Share memory_;

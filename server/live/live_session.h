@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "server/live/held_points.h"
+#include "server/live/layer_points.h"
 #include "server/live/steady_surface.h"
 #include "server/live/subscriber.h"
 #include "server/manager/session_turn.h"
@@ -108,6 +109,7 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
   void begin_steady_surface(SessionTurn& at);
   std::span<const Vec3f> shown_displacement(SessionTurn& at, FrameStats& stats);
   HeldPoints* held_points(const Session& session);
+  LayerPoints* layer_points(SessionTurn& at, const VertexLayer& layer);
   Status send_frames(SessionTurn& at);
   void tell_people();
   std::vector<std::shared_ptr<Subscriber>> subscribers() const;
@@ -130,7 +132,8 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
   Seen seen_;
   uint64_t life_ = 0;  // of the session that the next members are of; it shows the gestures
   std::optional<SteadySurface> steady_;
-  std::optional<HeldPoints> held_;  // while rims are held
+  std::optional<HeldPoints> held_;           // while rims are held
+  std::optional<LayerPoints> layer_points_;  // once the session's edges are kept
   struct Still {
     uint64_t version;
     std::shared_ptr<const SurfaceShot> shot;

@@ -135,6 +135,7 @@ void LiveSession::show_gestures(SessionTurn& at) {
   if (std::exchange(life_, at.life()) != at.life()) {
     steady_.reset();
     still_.reset();
+    layer_points_.reset();
     previews.clear();  // they belong to an earlier live session
     for (const auto& [connection, gesture] : gestures_) changed_gestures_.insert(connection);
   }

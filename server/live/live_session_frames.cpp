@@ -6,6 +6,10 @@
 
 namespace burnish {
 
+static const SparseGrid& finest_grid(const SessionTurn& at) {
+  return at.hierarchy().at(at.hierarchy().finest).grid;
+}
+
 void LiveSession::wake_for_frames() {
   if (is_unmoved_) show_unmoved();
   wake();
@@ -53,8 +57,7 @@ void LiveSession::show_unmoved() {
 
 void LiveSession::begin_steady_surface(SessionTurn& at) {
   const PreparedMesh& prepared = at.session().prepared();
-  const Hierarchy& hierarchy = at.hierarchy();
-  const SparseGrid& grid = hierarchy.at(hierarchy.finest).grid;
+  const SparseGrid& grid = finest_grid(at);
   auto memory = manager_.memory().take(kServer, SteadySurface::byte_count(grid));
   if (!memory.is_ok()) return;  // frames are larger without
   const double distance =
@@ -84,29 +87,48 @@ HeldPoints* LiveSession::held_points(const Session& session) {
   return held_ ? &*held_ : nullptr;
 }
 
+LayerPoints* LiveSession::layer_points(SessionTurn& at, const VertexLayer& layer) {
+  if (!layer.moves.empty() && !layer_points_)
+    layer_points_.emplace(finest_grid(at), at.session().prepared().evaluation);
+  return layer_points_ ? &*layer_points_ : nullptr;
+}
+
+// A page of corners that does not stay one is made anew, and comes then.
+static bool waits_for_pages(const ClientPages& pages, bool has_layer) {
+  return has_layer && pages.kind == PageFrameKind::kCorners && !pages.insists;
+}
+
 Status LiveSession::send_frames(SessionTurn& at) {
   Session& session = at.session();
   FrameStats stats = stats_of(at);
+  const bool has_layer = session.has_layer();
+  for (const auto& subscriber : subscribers()) subscriber->set_layer(has_layer);
   std::vector<Wish> wanting = wishes(version_, stats.settled);
+  std::erase_if(wanting, [&](const Wish& wish) { return waits_for_pages(*wish.pages, has_layer); });
   if (wanting.empty()) return Status::ok();
   // While a client gets more and more pages of a still surface, the others are not done again.
   if (still_ && (!stats.settled || still_->version != version_)) still_.reset();
-  const Hierarchy& hierarchy = at.hierarchy();
-  const SurfaceMoment moment{.grid = hierarchy.at(hierarchy.finest).grid,
+  const std::span<const Vec3f> displacement = shown_displacement(at, stats);
+  const VertexLayer layer = session.layer(displacement);
+  const SurfaceMoment moment{.grid = finest_grid(at),
                              .scan = session.prepared().evaluation,
-                             .displacement = shown_displacement(at, stats),
+                             .displacement = displacement,
                              .beta = session.shown_fields().view().beta,
                              .settled = stats.settled,
                              .last = still_ ? still_->shot.get() : nullptr,
                              .colour = session.colour_change(),
-                             .held = held_points(session)};
+                             .held = held_points(session),
+                             .layer = layer,
+                             .layer_points = layer_points(at, layer)};
   stats.volume = session.kept_volume().value_or(0);
   ASSIGN_OR_RETURN(SurfaceShot taken, SurfaceShot::take(moment, pages_of_wishes(wanting)));
   const auto surface = std::make_shared<const SurfaceShot>(std::move(taken));
   if (stats.settled) still_ = {version_, surface};
   for (Wish& wish : wanting) {
-    stats.previews = wish.seat.previews_taken;
-    wish.seat.subscriber->show({surface, std::move(wish.pages), version_, stats.settled, stats});
+    FrameStats told = stats;
+    told.previews = wish.seat.previews_taken;
+    told.exact &= !has_layer || wish.pages->kind == PageFrameKind::kVertices;
+    wish.seat.subscriber->show({surface, std::move(wish.pages), version_, stats.settled, told});
   }
   return Status::ok();
 }

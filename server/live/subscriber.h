@@ -56,6 +56,8 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
   /// Checks the change at once; an encoder's thread makes the pages. If it cannot, the client gets
   /// a farewell that says why. Fails: as PageWishes::want().
   Status show_pages(const ShowPages& change);
+  /// Says whether vertices move otherwise than their corners say, which changes the pages.
+  void set_layer(bool is_there);
   void beat(uint64_t client_time_us);
   void heard();
 

@@ -41,6 +41,10 @@ Status Subscriber::show_pages(const ShowPages& change) {
   return Status::ok();
 }
 
+void Subscriber::set_layer(bool is_there) {
+  if (wishes_->set_layer(is_there)) post_pages();
+}
+
 static Farewell farewell_of(const char* task, const Status& why) {
   FarewellCode code = FarewellCode::kFailed;
   if (why.code() == StatusCode::kResourceExhausted) code = FarewellCode::kTooManyPages;

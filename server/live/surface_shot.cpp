@@ -1,6 +1,7 @@
 #include "server/live/surface_shot.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "common/evaluation/displacement_steps.h"
 #include "common/mesh/srgb.h"
@@ -55,6 +56,44 @@ std::shared_ptr<const PageSample> with_details(const LivePage& page, const PageS
   return sample;
 }
 
+/// Returns the move of a vertex by its corners and by the layer.
+Vec3f whole_move(const SurfaceMoment& moment, const EvaluationPoint& at, uint32_t of_scan) {
+  constexpr float kBelowCap = 1 - 1e-6F;  // a length that rounds above the cap would pass it
+  Vec3f move = evaluate(moment.grid, at, moment.displacement);
+  if (of_scan < moment.layer.moves.size()) move += moment.layer.moves[of_scan];
+  const float cap = kBelowCap * static_cast<float>(moment.layer.cap), length = move.norm();
+  return cap > 0 && length > cap ? Vec3f(cap / length * move) : move;
+}
+
+// Sums before it rounds, as with_details() does.
+std::shared_ptr<const PageSample> with_layer(const LivePage& page, const SurfaceMoment& moment,
+                                             const LayerPoints::OfPage& of_scan,
+                                             const HeldVertices& held) {
+  const size_t vertices = page.evaluation.points.size();
+  auto sample =
+      std::make_shared<PageSample>(PageSample{page.number(), std::vector<int32_t>(3 * vertices)});
+  for (size_t v = 0; v < vertices; ++v) {
+    const uint32_t number = of_scan ? (*of_scan)[v] : LayerPoints::kNoVertex;
+    const Vec3f move = whole_move(moment, page.evaluation.points[v], number);
+    for (size_t axis = 0; axis < 3; ++axis)
+      sample->steps[axis * vertices + v] = to_steps(move[int(axis)]);
+  }
+  still(held, *sample);
+  return sample;
+}
+
+// As largest_move(), with the layer.
+float largest_whole_move(const SurfaceMoment& moment, size_t stride,
+                         std::span<const uint32_t> held) {
+  float largest = 0;
+#pragma omp parallel for schedule(static) reduction(max : largest)
+  for (size_t v = 0; v < moment.scan.size(); v += stride)
+    if (!std::ranges::binary_search(held, v))
+      largest = std::max(
+          largest, whole_move(moment, moment.scan[v], static_cast<uint32_t>(v)).squaredNorm());
+  return std::sqrt(largest);
+}
+
 // All points of a large scan would take longer than all pages that are shown. While the surface
 // moves some of them do: neighbours move alike. A settled surface tells the true value.
 float largest_move_of(const SurfaceMoment& moment) {
@@ -64,6 +103,7 @@ float largest_move_of(const SurfaceMoment& moment) {
   const std::span<const uint32_t> held =
       moment.held ? std::span<const uint32_t>(moment.held->rims()->vertices)
                   : std::span<const uint32_t>();
+  if (moment.layer.is_there()) return largest_whole_move(moment, std::max(stride, size_t{1}), held);
   return largest_move(moment.grid, moment.scan, moment.displacement, std::max(stride, size_t{1}),
                       held);
 }
@@ -91,6 +131,7 @@ Result<SurfaceShot> SurfaceShot::take(const SurfaceMoment& moment,
     if (!known && moment.held) shot.parts_.back().held = moment.held->of(page);
   }
   RETURN_IF_ERROR(shot.sample(places, moment.grid, moment.displacement, 1));
+  if (moment.layer.is_there()) shot.add_layer(places, moment);
   if (!moment.colour.on_grid.empty())
     RETURN_IF_ERROR(shot.sample_colours(colours, moment.grid, moment.colour));
   else
@@ -115,6 +156,27 @@ Status SurfaceShot::sample(std::span<const size_t> parts, const SparseGrid& grid
     part.sample = std::make_shared<const PageSample>(std::move(samples[i]));
   }
   return Status::ok();
+}
+
+void SurfaceShot::add_layer(std::span<const size_t> parts, const SurfaceMoment& moment) {
+  struct Layered {
+    std::shared_ptr<const LivePage> page;
+    LayerPoints::OfPage of_scan;
+    Part* part;
+  };
+  std::vector<Layered> layered;
+  for (const size_t part : parts) {
+    auto page = parts_[part].page.lock();
+    if (page->kind != PageFrameKind::kVertices) continue;
+    LayerPoints::OfPage of_scan =
+        moment.layer.moves.empty() ? nullptr : moment.layer_points->of(page);
+    layered.push_back({std::move(page), std::move(of_scan), &parts_[part]});
+  }
+#pragma omp parallel for schedule(dynamic)
+  for (size_t i = 0; i < layered.size(); ++i) {
+    const Layered& one = layered[i];
+    one.part->sample = with_layer(*one.page, moment, one.of_scan, one.part->held);
+  }
 }
 
 Status SurfaceShot::sample_colours(std::span<const size_t> parts, const SparseGrid& grid,

@@ -8,7 +8,8 @@
 #include "common/page_frames/page_sample.h"
 #include "server/live/client_pages.h"
 #include "server/live/held_points.h"
-#include "server/session/colour_channel.h"
+#include "server/live/layer_points.h"
+#include "server/session/session.h"
 
 namespace burnish {
 
@@ -23,7 +24,9 @@ struct SurfaceMoment {
   bool settled = false;
   const SurfaceShot* last = nullptr;  ///< of the same surface: is not done again
   ColourChange colour = {};
-  HeldPoints* held = nullptr;  ///< null: no rim is held
+  HeldPoints* held = nullptr;           ///< null: no rim is held
+  VertexLayer layer = {};               ///< pages of kind kCorners are without it
+  LayerPoints* layer_points = nullptr;  ///< needed with a layer that moves something
 };
 
 /// The pages that some clients show, sampled at one moment. Immutable: encoders share it.
@@ -53,6 +56,7 @@ class SurfaceShot {
 
   Status sample(std::span<const size_t> parts, const SparseGrid& grid,
                 std::span<const Vec3f> values, float scale);
+  void add_layer(std::span<const size_t> parts, const SurfaceMoment& moment);
   Status sample_colours(std::span<const size_t> parts, const SparseGrid& grid,
                         const ColourChange& change);
   void sample_zeros(std::span<const size_t> parts);

@@ -11,7 +11,8 @@
 namespace burnish {
 
 /// Memory that the edits of a session take beside predict_session_bytes(): bands, colours,
-/// and paint of other kinds than β. Edits that are off count too, because undo can bring them back.
+/// kept edges, and paint of other kinds than β. Edits that are off count too, because undo can
+/// bring them back.
 class LayerNeed {
  public:
   void add(std::span<const AuthoredEdit> edits);
@@ -20,7 +21,7 @@ class LayerNeed {
   uint64_t byte_count(const Multigrid& on) const;
 
  private:
-  bool edits_colours_ = false;
+  bool edits_colours_ = false, keeps_edges_ = false;
   size_t bands_ = 0;  // the most that an edit sets
   std::bitset<kPaintLayers> painted_;
 };

@@ -89,12 +89,6 @@ static Status fall_back(SessionEntry& entry, uint64_t first, const WriteOutcome&
   return why;
 }
 
-// Frames do not carry the layer that keeps edges.
-static Status check_kind(const Edit& edit) {
-  if (kind_of(edit) != EditKind::kEdges) return Status::ok();
-  return unimplemented("sessions do not keep edges yet; 'burnish filter --keep-edges' does");
-}
-
 Result<ApplyOutcome> SessionManager::submit_held(const std::shared_ptr<SessionEntry>& held,
                                                  const Caller& caller, std::span<const Edit> edits,
                                                  OnDisk on_disk) {
@@ -106,8 +100,7 @@ Result<ApplyOutcome> SessionManager::submit_held(const std::shared_ptr<SessionEn
   std::vector<AuthoredEdit> fresh = new_edits(edited.history(), caller.user, edits);
   LayerCheck layers = edited.layers();
   for (const AuthoredEdit& edit : fresh) {
-    Status status = check_kind(edit.edit);
-    if (status.is_ok()) status = layers.take(edit.edit);
+    Status status = layers.take(edit.edit);
     if (status.is_ok()) status = edited.check_new(edit.edit);
     RETURN_IF_ERROR(about_edit(status, edit.edit, edits.size()));
   }

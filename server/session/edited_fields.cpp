@@ -127,6 +127,7 @@ EditedFields::Counting EditedFields::counting() const {
   }
   for (const Change* change : last)
     if (change) counting.settings.take(*change);
+  counting.settings = counting_beside_edges(std::move(counting.settings));
   return counting;
 }
 

@@ -2,6 +2,13 @@
 
 namespace burnish {
 
+Settings counting_beside_edges(Settings settings) {
+  if (!settings.edges.is_on()) return settings;
+  settings.equaliser = {};
+  settings.controls.keep_volume = false;
+  return settings;
+}
+
 Status LayerCheck::check_brush(const Brush& brush) const {
   const size_t bands = settings_.equaliser.bands.size(), curves = settings_.palette.curves.size();
   if (brush.band > static_cast<int>(bands))

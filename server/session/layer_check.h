@@ -6,6 +6,10 @@
 
 namespace burnish {
 
+/// Returns the settings without those that do not count beside kept edges: bands, and a volume to
+/// keep. An undo can bring both back.
+Settings counting_beside_edges(Settings settings);
+
 /// The bands and the curves that a session has, to check new edits in their order: one of them may
 /// set what the next one paints.
 class LayerCheck {
@@ -13,7 +17,8 @@ class LayerCheck {
   explicit LayerCheck(Settings settings) : settings_(std::move(settings)) {}
 
   /// Checks the next edit, and takes it as made. Fails: failed_precondition if its brush paints a
-  /// band or a curve that is not there; invalid_argument as check_beside() does.
+  /// band or a curve that is not there, or for what cannot stand beside kept edges;
+  /// invalid_argument as check_beside() does.
   Status take(const Edit& edit);
 
  private:

@@ -15,6 +15,7 @@ struct ChangesOf {
   Changes operator()(const SetPalette&) const { return {.metric = true}; }
   Changes operator()(const SetEqualiser&) const { return {.shown = true}; }
   Changes operator()(const SetColour&) const { return {.shown = true}; }
+  Changes operator()(const SetEdges&) const { return {.beta = true}; }
   Changes operator()(const Stroke& stroke) const {
     const Brush& brush = stroke.brush;
     if (brush.curve > 0) return {.metric = true};
@@ -87,7 +88,7 @@ void Previews::apply(Shown& shown) {
   if (!stroke) {
     Settings settings = copy_->settings();
     settings.take(shown.gesture.change);
-    return copy_->set(settings);
+    return copy_->set(counting_beside_edges(std::move(settings)));
   }
   const std::vector<Vec3d> centres = dab_centres(*stroke);
   if (centres.size() <= shown.painted_dabs) return;

@@ -1,6 +1,7 @@
 #include "server/session/session.h"
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
 
 #include "common/base/out_of_memory.h"
@@ -26,15 +27,25 @@ struct Session::State {
         solver(std::move(session_solver)),
         bands(on, options),
         colour(on, options),
-        edges(*prepared, hierarchy->at(hierarchy->finest).grid),
+        edges(prepared, hierarchy->at(hierarchy->finest).grid, options.threads),
         mix(hierarchy->at(hierarchy->finest).grid),
         shown(*prepared, hierarchy->at(hierarchy->finest).grid) {}
 
-  // Needs: edges.want() with these fields.
+  const SparseGrid& grid() const { return hierarchy->at(hierarchy->finest).grid; }
+
+  // Needs: edges.want() or edges.show() with these fields.
   FieldsView view_of(const Fields& fields) const {
     FieldsView view = fields.view();
     view.target = edges.target();
     return view;
+  }
+
+  /// Adds to the changes that the kept edges have another target.
+  void note_target(EditedFields::Changes& changes) {
+    const TargetView target = edges.target();
+    SeenTarget now;
+    if (target.is_active()) now = {target.strength, target.version};
+    changes.beta |= std::exchange(seen_target, now) != now;
   }
 
   void update_solver(const Fields& fields, const EditedFields::Changes& changes) {
@@ -104,6 +115,51 @@ struct Session::State {
 
   const Fields& shown_fields() const { return previews.shown(edited.fields()); }
 
+  /// Returns the controls of what corners do: beside kept edges the cap bounds the sum with the
+  /// layer.
+  Controls corner_controls() const {
+    Controls controls = edited.controls();
+    if (edges.is_on()) controls.cap = 0;
+    return controls;
+  }
+
+  std::vector<Vec3d> vertices_at(std::span<const Vec3f> displacement) const {
+    std::vector<Vec3d> places(prepared->vertices.begin(), prepared->vertices.end());
+#pragma omp parallel for schedule(static)
+    for (size_t v = 0; v < places.size(); ++v)
+      places[v] += prepared->frame.cell_size *
+                   evaluate(grid(), prepared->evaluation[v], displacement).cast<double>();
+    return places;
+  }
+
+  /// Makes the layer of frames. At rest it leaves out what exports leave out.
+  void make_shown_layer(std::span<const Vec3f> displacement, bool at_rest) {
+    ShownLayer wanted{edges.target().version, edges.layer_share(), at_rest, at_rest ? looks : 0,
+                      at_rest ? cycles_since_change : 0};
+    if (wanted == shown_layer && layer.size() == prepared->vertices.size()) return;
+    layer = edges.layer(at_rest ? vertices_at(displacement) : std::vector<Vec3d>());
+    const auto cells = static_cast<float>(1 / prepared->frame.cell_size);
+    for (Vec3f& move : layer) move *= cells;
+    shown_layer = wanted;
+  }
+
+  /// What the solver's target was.
+  struct SeenTarget {
+    double strength = 0;
+    uint64_t version = 0;
+    bool operator==(const SeenTarget&) const = default;
+  };
+
+  /// What the layer of frames was made of.
+  struct ShownLayer {
+    uint64_t version = 0;
+    double share = 0;
+    bool at_rest = false;
+    uint64_t looks = 0;
+    int cycles = 0;
+    bool operator==(const ShownLayer&) const = default;
+  };
+
   std::shared_ptr<const PreparedMesh> prepared;
   std::shared_ptr<const Hierarchy> hierarchy;
   EditedFields edited;
@@ -118,6 +174,9 @@ struct Session::State {
   BandSurfaces bands;
   ColourChannel colour;
   KeptEdges edges;
+  SeenTarget seen_target;
+  ShownLayer shown_layer;
+  std::vector<Vec3f> layer;  // of frames, cells
   BandMix mix;
   ShownDisplacement shown;
   LiveObject live{LiveKind::kSession};
@@ -159,14 +218,17 @@ const Fields& Session::shown_fields() const {
 
 bool Session::is_changed() const {
   const EditedFields& edited = state_->edited;
-  return edited.is_behind() || edited.changes().any() || state_->previews.is_changed();
+  return edited.is_behind() || edited.changes().any() || state_->previews.is_changed() ||
+         state_->edges.has_made();
 }
 
 void Session::update() {
   (void)state_->edited.catch_up();  // nobody cancels it
   EditedFields::Changes changes = state_->edited.take_changes();
   const Fields& shown = state_->previews.over(state_->edited.fields(), changes);
-  if (const Status kept = state_->edges.want(shown); !kept.is_ok()) state_->status = kept;
+  const EdgeFilter& filter = state_->edited.fields().settings().edges;
+  if (const Status kept = state_->edges.show(shown, filter); !kept.is_ok()) state_->status = kept;
+  state_->note_target(changes);
   state_->update_solver(shown, changes);
 }
 
@@ -182,12 +244,17 @@ StepReport Session::step() {
     state.step_colour();
     return state.last;
   }
+  if (state.edges.is_making() && state.solver_is_settled(state.last)) {
+    static constexpr auto kOfATurn = std::chrono::milliseconds(5);
+    (void)state.edges.is_made_within(kOfATurn);
+    return state.last;
+  }
   return state.step_solver();
 }
 
 bool Session::is_settled(const StepReport& last) const {
   return !is_changed() && !state_->bands.is_solving() && !state_->colour.is_solving() &&
-         state_->solver_is_settled(last);
+         !state_->edges.is_making() && state_->solver_is_settled(last);
 }
 
 uint64_t Session::looks() const {
@@ -207,6 +274,7 @@ Result<SolveReport> Session::solve(const SolveOptions& options, const Progress& 
   RETURN_IF_ERROR(state_->edges.want(state_->edited.fields(), progress));
   EditedFields::Changes changes = state_->edited.take_changes();
   changes |= state_->previews.set_aside();
+  state_->note_target(changes);
   state_->update_for(options, changes);
   if (options.exact && is_exact(state_->last))
     return SolveReport{.converged = true, .last = state_->last};
@@ -248,8 +316,22 @@ ColourChange Session::colour_change() const {
 
 std::span<const Vec3f> Session::displacement() {
   const Fields& fields = state_->shown_fields();
-  return state_->shown.of(state_->mixed(fields), state_->edited.controls(), fields,
+  return state_->shown.of(state_->mixed(fields), state_->corner_controls(), fields,
                           is_settled(state_->last));
+}
+
+bool Session::has_layer() const {
+  const KeptEdges& edges = state_->edges;
+  return edges.is_on() && (edges.layer_share() > 0 || state_->edited.controls().cap > 0);
+}
+
+VertexLayer Session::layer(std::span<const Vec3f> displacement) {
+  State& state = *state_;
+  if (!state.edges.is_on()) return {};
+  const double cap = state.edited.controls().cap / state.prepared->frame.cell_size;
+  if (state.edges.layer_share() == 0) return {.moves = {}, .cap = cap};
+  state.make_shown_layer(displacement, is_settled(state.last));
+  return {state.layer, cap};
 }
 
 std::optional<double> Session::kept_volume() const {
@@ -283,15 +365,9 @@ std::vector<Vec3d> Session::evaluated_vertices() {
   const bool is_solvers = fields.equaliser().bands.empty() && !state_->edges.is_on() &&
                           !ShownDisplacement::is_needed(controls, fields);
   if (is_solvers) return state_->solver->evaluate_vertices();
-  const SparseGrid& grid = state_->hierarchy->at(state_->hierarchy->finest).grid;
-  Controls of_corners = controls;
-  if (state_->edges.is_on()) of_corners.cap = 0;  // it bounds the sum with the layer
-  const auto shown = state_->shown.of(state_->mixed(fields), of_corners, fields, true);
-  std::vector<Vec3d> positions(prepared.vertices.begin(), prepared.vertices.end());
-#pragma omp parallel for schedule(static)
-  for (size_t v = 0; v < positions.size(); ++v)
-    positions[v] +=
-        prepared.frame.cell_size * evaluate(grid, prepared.evaluation[v], shown).cast<double>();
+  const auto shown =
+      state_->shown.of(state_->mixed(fields), state_->corner_controls(), fields, true);
+  std::vector<Vec3d> positions = state_->vertices_at(shown);
   if (!state_->edges.is_on()) return positions;
   state_->edges.add_layer(positions);
   if (controls.cap > 0) cap_moves(prepared.vertices, controls.cap, positions);
@@ -317,7 +393,8 @@ const Solver& Session::solver() const {
 uint64_t Session::byte_count() const {
   return state_->solver->byte_count() + state_->edited.byte_count() +
          state_->previews.byte_count() + state_->shown.byte_count() + state_->bands.byte_count() +
-         state_->colour.byte_count() + state_->mix.byte_count() + state_->edges.byte_count();
+         state_->colour.byte_count() + state_->mix.byte_count() + state_->edges.byte_count() +
+         state_->layer.size() * sizeof(Vec3f);
 }
 
 }  // namespace burnish

@@ -30,6 +30,14 @@ struct SolveOptions {
   int cycles = 0;  ///< > 0: exactly this many
 };
 
+/// What vertices do beside the displacement of their corners while edges are kept.
+struct VertexLayer {
+  std::span<const Vec3f> moves;  ///< one per vertex of the scan, cells; empty: none moves
+  double cap = 0;                ///< cells; bounds a vertex's whole move; 0: none
+
+  bool is_there() const { return !moves.empty() || cap > 0; }
+};
+
 /// One editing state of a prepared mesh: edits in, fields, solver, surface out. Not thread-safe:
 /// its owner serialises calls.
 class Session {
@@ -59,7 +67,8 @@ class Session {
   void update();
 
   /// Does update() if needed, and one cycle: of the solver, or of a band once the solver has
-  /// settled. Returns the solver's last report.
+  /// settled. Once only the filter of kept edges is missing, waits for it for some milliseconds.
+  /// Returns the solver's last report.
   StepReport step();
 
   /// Returns a number that rises when the surface may have changed otherwise than by a cycle of the
@@ -82,6 +91,13 @@ class Session {
   /// Returns the displacement of every corner that is shown, with controls and previews, valid
   /// until the next call. Units: cells.
   std::span<const Vec3f> displacement();
+
+  /// Returns whether corners alone do not say where vertices are: layer() does.
+  bool has_layer() const;
+
+  /// Returns what vertices do beside a displacement, valid until the next call. Once settled it
+  /// leaves out the triangles that exports leave out.
+  VertexLayer layer(std::span<const Vec3f> displacement);
 
   /// Returns the volume of the last displacement() or surface() over the scan's; nothing unless the
   /// controls keep it. While the surface moves it may be some frames old.

@@ -126,12 +126,43 @@ TEST_F(SessionManagerTest, AFailedEditInABatchUndoesTheWholeBatch) {
   EXPECT_EQ(state.session.edits, 1u);
 }
 
-TEST_F(SessionManagerTest, EdgesAreNotKeptByASessionAndTheEditIsNotStored) {
+TEST_F(SessionManagerTest, KeptEdgesAreInTheStateAndComeBackWithTheSession) {
   ASSERT_TRUE(open("one").is_ok());
+  const EdgeFilter filter{.strength = 0.5, .passes = 3};
+  ASSERT_TRUE(apply("one", {{"a", SetEdges{filter}}}).is_ok());
+  EXPECT_EQ(manager_->state("one", {})->settings.edges, filter);
+  const std::string before = exported("one");
+  start();
+  EXPECT_EQ(manager_->state("one", {})->settings.edges, filter);
+  EXPECT_EQ(exported("one"), before);
+}
+
+TEST_F(SessionManagerTest, KeptEdgesThatDoNotFitAreRefusedAndNotStored) {
+  ASSERT_TRUE(open("one").is_ok());
+  Quota& memory = manager_->memory();
+  const Quota::Share rest = memory.take(kServer, memory.max() - memory.taken() - 100'000).value();
   const auto outcome = apply("one", {{"a", SetEdges{{.strength = 1}}}});
-  EXPECT_EQ(outcome.status().code(), StatusCode::kUnimplemented);
-  EXPECT_THAT(outcome.status().message(), HasSubstr("--keep-edges"));
+  EXPECT_EQ(outcome.status().code(), StatusCode::kResourceExhausted);
+  EXPECT_THAT(outcome.status().message(), HasSubstr("limits.memory_bytes_max"));
   EXPECT_EQ(journal_->edit_count(manager_->list()[0].id).value(), 0u);
+  EXPECT_TRUE(apply("one", {{"b", SetEdges{{.strength = 0}}}}).is_ok());
+}
+
+TEST_F(SessionManagerTest, BandsAndAVolumeAreRefusedBesideKeptEdgesInEitherOrder) {
+  const SetEdges edges{{.strength = 1}};
+  const SetEqualiser bands{{{{0.5, 2}}}};
+  const SetControls volume{{.keep_volume = true}};
+  ASSERT_TRUE(open("one").is_ok() && open("two").is_ok() && open("three").is_ok());
+  ASSERT_TRUE(apply("one", {{"a", edges}}).is_ok());
+  ASSERT_TRUE(apply("two", {{"a", bands}}).is_ok());
+  ASSERT_TRUE(apply("three", {{"a", volume}}).is_ok());
+  const std::pair<const char*, Change> refused[] = {
+      {"one", bands}, {"one", volume}, {"two", edges}, {"three", edges}};
+  for (const auto& [session, change] : refused) {
+    const Status status = apply(session, {{"b", change}}).status();
+    EXPECT_EQ(status.code(), StatusCode::kFailedPrecondition) << session;
+    EXPECT_THAT(status.message(), HasSubstr("kept")) << session;
+  }
 }
 
 TEST_F(SessionManagerTest, ACellThatAnEditSetsTwiceIsRefusedAndNotStored) {

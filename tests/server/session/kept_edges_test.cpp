@@ -4,6 +4,7 @@
 #include "common/edit/wavelength.h"
 #include "common/generate/generate.h"
 #include "common/mesh/statistics.h"
+#include "server/session/edge_parts.h"
 #include "tests/common/denoise/shape_error.h"
 #include "tests/server/session/solved_session.h"
 
@@ -90,6 +91,101 @@ TEST(KeptEdges, StepsLeadToWhatASolveFinds) {
   const TriangleMesh stepped = session->surface();
   const TriangleMesh solved = part.filtered({part.waves(), machined(), SetGradientScale{2}});
   EXPECT_LT(farthest(stepped, solved), 1e-4 * compute_statistics(part.noisy).diagonal());
+}
+
+void settle(Session& session) {
+  StepReport last = session.step();
+  while (!session.is_settled(last)) last = session.step();
+}
+
+/// A session of the part whose machined edges are kept, settled.
+std::unique_ptr<Session> settled_session(const NoisyPart& part) {
+  auto session = session_over(part.noisy, 6);
+  EXPECT_TRUE(session->apply({"waves", part.waves()}).is_ok());
+  EXPECT_TRUE(session->apply({"edges", machined()}).is_ok());
+  settle(*session);
+  return session;
+}
+
+TEST(KeptEdges, AFilterDoesNotHoldUpSteps) {
+  const NoisyPart part;
+  const auto session = session_over(part.noisy, 6);
+  SetEdges slow = machined();
+  slow.filter.passes = kNormalPassesMax;
+  ASSERT_TRUE(session->apply({"edges", slow}).is_ok());
+  session->step();
+  EXPECT_FALSE(session->has_layer());
+  EXPECT_FALSE(session->is_settled(session->step()));
+  settle(*session);
+  EXPECT_TRUE(session->has_layer());
+}
+
+TEST(KeptEdges, AnotherFilterEndsTheOneThatIsBeingMade) {
+  const NoisyPart part;
+  const auto session = session_over(part.noisy, 6);
+  SetEdges slow = machined();
+  slow.filter.passes = kNormalPassesMax;
+  ASSERT_TRUE(session->apply({"waves", part.waves()}).is_ok());
+  ASSERT_TRUE(session->apply({"slow", slow}).is_ok());
+  session->step();
+  ASSERT_TRUE(session->apply({"edges", machined()}).is_ok());
+  settle(*session);
+  const TriangleMesh solved = part.filtered({part.waves(), machined()});
+  EXPECT_LT(farthest(session->surface(), solved), 1e-4 * compute_statistics(part.noisy).diagonal());
+}
+
+TEST(KeptEdges, AStrengthIsShownWithoutAFilterAndOtherNormalsAreNot) {
+  const NoisyPart part;
+  const auto session = settled_session(part);
+  const auto layer = [&] {
+    const auto moves = session->layer(session->displacement()).moves;
+    return std::vector<Vec3f>(moves.begin(), moves.end());
+  };
+  const std::vector<Vec3f> whole = layer();
+  session->previews().show(1, {"ann", "drag", at_strength(0.5)});
+  session->step();
+  const std::vector<Vec3f> half = layer();
+  double sum = 0, sum_of_half = 0;
+  for (size_t v = 0; v < whole.size(); ++v) {
+    sum += whole[v].norm();
+    sum_of_half += half[v].norm();
+  }
+  EXPECT_NEAR(sum_of_half / sum, 0.5, 0.01);
+  SetEdges others = machined();
+  others.filter.passes = 3;
+  session->previews().show(1, {"ann", "drag", others});
+  settle(*session);
+  EXPECT_EQ(layer(), whole);
+}
+
+TEST(KeptEdges, TakeNoMoreMemoryThanPredicted) {
+  const NoisyPart part;
+  PrepareOptions options;
+  options.depth = 6;
+  const auto multigrid = *make_multigrid(*prepare(part.noisy, options), {});
+  const auto session = std::move(*Session::open(multigrid, {.backend = BackendKind::kCpu}));
+  session->step();
+  const uint64_t before = session->byte_count();
+  ASSERT_TRUE(session->apply({"edges", machined()}).is_ok());
+  settle(*session);
+  session->layer(session->displacement());
+  EXPECT_GT(session->byte_count(), before);
+  EXPECT_LT(session->byte_count(), before + predict_edge_bytes(multigrid));
+}
+
+TEST(KeptEdges, BandsThatAnUndoBringsBackDoNotCount) {
+  const NoisyPart part;
+  const auto session = session_over(part.noisy, 5);
+  ASSERT_TRUE(session->apply({"1", machined()}).is_ok());
+  ASSERT_TRUE(session->apply({"2", at_strength(0)}).is_ok());
+  ASSERT_TRUE(session->apply({"3", SetEqualiser{{{{0.5, 2}}}}}).is_ok());
+  ASSERT_TRUE(session->apply({"4", SwitchEntry{2, false}}).is_ok());
+  const Settings& settings = session->fields().settings();
+  EXPECT_TRUE(settings.edges.is_on());
+  EXPECT_TRUE(settings.equaliser.bands.empty());
+  settle(*session);
+  ASSERT_TRUE(session->apply({"5", SwitchEntry{1, false}}).is_ok());
+  EXPECT_EQ(session->fields().settings().equaliser.bands.size(), 1u);
 }
 
 /// What lies in the upper half of a view that the scan fills.

@@ -1,0 +1,87 @@
+#include "server/session/edge_parts.h"
+
+#include "common/base/out_of_memory.h"
+#include "server/fields/target_fit.h"
+
+namespace burnish {
+namespace {
+
+constexpr uint64_t kSurfaceBytesPerTriangle = 90;
+// The filter and the layer at work: weights of pairs, two fields of normals, guides, updates.
+constexpr uint64_t kWorkBytesPerTriangle = 165, kWorkBytesPerVertex = 28;
+// The fit needs pieces of triangles after the filter has ended: no more than its work and this.
+constexpr uint64_t kPieceBytesPerCell = 48;
+// Beside the layers of two filters: places, shares and moves of what is shown, which vertices pages
+// have, and where the scan's are.
+constexpr uint64_t kShownBytesPerVertex = sizeof(Vec3d) + sizeof(Vec3f) + 6 * sizeof(uint32_t);
+
+Result<std::shared_ptr<const FilteredSurface>> filter_surface(const DenoiseSurface& surface,
+                                                              const EdgeFilter& filter,
+                                                              const Progress& progress) {
+  auto filtered = std::make_shared<FilteredSurface>();
+  const auto keep_last = [&](int pass, std::span<const NormalAndArea> normals) {
+    if (pass < filter.passes) return;
+    filtered->normals.resize(normals.size());
+    for (size_t t = 0; t < normals.size(); ++t)
+      filtered->normals[t] = normal_of(normals[t]).cast<float>();
+  };
+  ASSIGN_OR_RETURN(filtered->layer,
+                   denoise_layer(surface, filter, {}, progress, keep_last));
+  return std::shared_ptr<const FilteredSurface>(std::move(filtered));
+}
+
+Result<std::shared_ptr<const EdgeParts>> make_parts(const PreparedMesh& prepared,
+                                                    const EdgeFilter& filter,
+                                                    const EdgeParts* before,
+                                                    const Progress& progress) {
+  auto parts = std::make_shared<EdgeParts>();
+  parts->filter = filter;
+  if (before) parts->surface = before->surface;
+  if (!parts->surface) {
+    MeshView mesh;
+    mesh.vertices = prepared.vertices;
+    mesh.triangles = prepared.triangles;
+    ASSIGN_OR_RETURN(parts->surface, make_denoise_surface(mesh, {}, progress));
+  }
+  if (before && has_same_normals(filter, before->filter)) {
+    parts->filtered = before->filtered;
+  } else {
+    ASSIGN_OR_RETURN(parts->filtered, filter_surface(*parts->surface, filter, progress));
+  }
+  const SurfaceTarget target = {parts->filtered->normals, parts->filtered->layer, filter.crispness};
+  ASSIGN_OR_RETURN(parts->target, fit_target(prepared, target, progress));
+  return std::shared_ptr<const EdgeParts>(std::move(parts));
+}
+
+}  // namespace
+
+bool has_same_normals(const EdgeFilter& a, const EdgeFilter& b) {
+  return a.kind == b.kind && a.edge_angle == b.edge_angle && a.passes == b.passes;
+}
+
+Result<std::shared_ptr<const EdgeParts>> make_edge_parts(
+    const PreparedMesh& prepared, const EdgeFilter& filter,
+    const std::shared_ptr<const EdgeParts>& before, const Progress& progress) {
+  return with_memory_for("keeping edges",
+                         [&] { return make_parts(prepared, filter, before.get(), progress); });
+}
+
+uint64_t EdgeParts::byte_count() const {
+  return kSurfaceBytesPerTriangle * surface->welded.triangle_count() +
+         (filtered->normals.size() + filtered->layer.size()) * sizeof(Vec3f) +
+         target.size() * sizeof(TargetGradient);
+}
+
+uint64_t predict_edge_bytes(const Multigrid& on) {
+  const PreparedMesh& scan = *on.prepared;
+  constexpr uint64_t kFilters = 2;  // one is made while the other is shown
+  const uint64_t per_triangle =
+      kSurfaceBytesPerTriangle + kWorkBytesPerTriangle + kFilters * sizeof(Vec3f);
+  const uint64_t per_vertex = kWorkBytesPerVertex + kShownBytesPerVertex + kFilters * sizeof(Vec3f);
+  const uint64_t per_cell =
+      (kFilters + 1) * sizeof(TargetGradient) + sizeof(uint32_t) + kPieceBytesPerCell;
+  return scan.triangles.size() * per_triangle + scan.vertices.size() * per_vertex +
+         scan.cells.size() * per_cell;
+}
+
+}  // namespace burnish
