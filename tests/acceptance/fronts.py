@@ -196,6 +196,8 @@ def _script_lines(settings):
     lines = []
     if "--preset" in given:
         lines.append(f"preset {given['--preset']}")
+    if "--keep-edges" in given:
+        lines.append(f"keep_edges {given['--keep-edges']}")
     if "--curve" in given or "--alpha" in given:
         lines.append(f"curve {given.get('--curve') or '0:' + given['--alpha']}")
     if "--beta" in given:
@@ -219,14 +221,19 @@ def _script_lines(settings):
     return lines
 
 
-def can_session(settings):
-    """Returns whether sessions have all of these: they keep no edges."""
+def can_script(settings):
+    """Returns whether scripts have all of these: they have every edit."""
+    return True
+
+
+def can_commands(settings):
+    """Returns whether `burnish edit` has all of these: it keeps no edges."""
     return not any(name == "--keep-edges" for name, _ in settings)
 
 
 def can_python(settings):
     """Returns whether the package has all of these in sessions: presets are the window's."""
-    return can_session(settings) and not any(name == "--preset" for name, _ in settings)
+    return can_commands(settings) and not any(name == "--preset" for name, _ in settings)
 
 
 def _changes(settings):

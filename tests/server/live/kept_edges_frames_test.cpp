@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/evaluation/displacement_steps.h"
 #include "common/generate/generate.h"
 #include "tests/server/live/live_work.h"
 
@@ -13,7 +14,7 @@ namespace {
 
 using enum PageFrameKind;
 
-constexpr int kDepth = 6;
+constexpr int kDepthOfPart = 6;
 
 SetEdges machined(double strength = 1) {
   SetEdges edges{find_edge_preset("machined")->filter};
@@ -25,8 +26,8 @@ SetEdges machined(double strength = 1) {
 class KeptEdgesInFrames : public LiveWork {
  protected:
   KeptEdgesInFrames() : noisy_(*generate_scan({"part", 4000, 1, 0.2, *parse_noise_kind("gauss")})) {
-    BURNISH_CHECK(library_.import(mesh_file(noisy_), "part", {}, kDepth).is_ok(), "import");
-    BURNISH_CHECK(manager_->open({"part", "part", {kDepth, 0}}, "ann", {}).is_ok(), "open");
+    BURNISH_CHECK(library_.import(mesh_file(noisy_), "part", {}, kDepthOfPart).is_ok(), "import");
+    BURNISH_CHECK(manager_->open({"part", "part", {kDepthOfPart, 0}}, "ann", {}).is_ok(), "open");
   }
 
   LiveGuest ann_at_level(int level, std::optional<PageFrameKind> kind = std::nullopt) {
@@ -42,14 +43,16 @@ class KeptEdgesInFrames : public LiveWork {
     guest.settle();
   }
 
-  std::vector<Vec3d> exported(bool exact = true) {
+  /// Returns the places of an exact export. Frames show what it has relaxed.
+  std::vector<Vec3d> exported() {
+    EXPECT_TRUE(
+        manager_->export_mesh("part", {.format = MeshFormat::kPly, .exact = true}, {}).is_ok());
     std::vector<Vec3d> places;
-    const auto solve = [&](Session& session) {
-      const Status solved = session.solve({.exact = exact}).status();
+    const auto look = [&](Session& session) {
       places = session.surface().vertices;
-      return solved;
+      return Status::ok();
     };
-    EXPECT_TRUE(manager_->visit("part", {}, solve).is_ok());
+    EXPECT_TRUE(manager_->visit("part", {}, look).is_ok());
     return places;
   }
 
@@ -114,7 +117,8 @@ TEST_F(KeptEdgesInFrames, MoveCoarseLevelsToo) {
   std::vector<int32_t> sizes = ann.pages.values();
   for (int32_t& value : sizes) value = std::abs(value);
   std::ranges::sort(sizes);
-  EXPECT_GT(sizes[sizes.size() / 2], 4);
+  EXPECT_GT(sizes[sizes.size() / 2], 1);
+  EXPECT_GT(sizes.back(), 16);
 }
 
 TEST_F(KeptEdgesInFrames, ComeByVerticesWhileThereIsALayer) {
@@ -126,7 +130,9 @@ TEST_F(KeptEdgesInFrames, ComeByVerticesWhileThereIsALayer) {
   const std::vector<Vec3d> surface = exported();
   ann.subscriber().grant({.frames = 1});
   ann.settle();
-  if (before == kVertices) EXPECT_LT(off(ann, surface), 2.0 / kStepsPerCell);
+  if (before == kVertices) {
+    EXPECT_LT(off(ann, surface), 2.0 / kStepsPerCell);
+  }
   EXPECT_THAT(ann.pages.values(), testing::Each(testing::AllOf(testing::Ge(-1), testing::Le(1))));
 }
 

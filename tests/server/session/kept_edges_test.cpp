@@ -163,7 +163,9 @@ TEST(KeptEdges, TakeNoMoreMemoryThanPredicted) {
   PrepareOptions options;
   options.depth = 6;
   const auto multigrid = *make_multigrid(*prepare(part.noisy, options), {});
-  const auto session = std::move(*Session::open(multigrid, {.backend = BackendKind::kCpu}));
+  auto opened = Session::open(multigrid, {.backend = BackendKind::kCpu});
+  ASSERT_TRUE(opened.is_ok());
+  const auto session = std::move(opened).value();
   session->step();
   const uint64_t before = session->byte_count();
   ASSERT_TRUE(session->apply({"edges", machined()}).is_ok());
