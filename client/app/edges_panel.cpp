@@ -61,7 +61,7 @@ void EdgesPanel::draw(Workspace& workspace) {
   faint_text("%s",
              "Noise goes, edges stay, and what is sharpened is the surface without its noise.");
   draw_presets(document);
-  if (document.edges().is_on()) draw_values(document, workspace.log);
+  draw_values(document, workspace.log);  // also at strength 0, which a drag may pass
   ImGui::EndDisabled();
 }
 

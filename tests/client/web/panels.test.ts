@@ -249,7 +249,9 @@ test("EdgesAreKeptByAPresetOrByValues", () =>
     await choice.selectOption("Off");
     await visit.sent("edges off");
     await visit.document({ edges: { ...session.edges, strength: 0, preset: "" } });
-    await panel.getByRole("slider", { name: "Edge angle" }).waitFor({ state: "detached" });
+    await panel.getByRole("combobox", { name: "Kept edges" }).getByText("Off").waitFor({ state: "attached" });
+    await panel.getByRole("slider", { name: "Strength of kept edges" }).fill("250");
+    await visit.sent("edges bilateral 0.25 35 4 0");
   }));
 
 test("EqualiserSendsAllBands", () =>

@@ -88,8 +88,7 @@ ShapeError error_of(const EdgePreset& preset, const std::string& kind, uint64_t 
 
 TEST(Denoise, AMachinedPartIsWithinItsBars) {
   for (const uint64_t vertices : {3000, 7000}) {
-    const ShapeError error =
-        error_of(edge_presets()[0], "part", vertices, 0.2, NoiseKind::kGauss);
+    const ShapeError error = error_of(edge_presets()[0], "part", vertices, 0.2, NoiseKind::kGauss);
     EXPECT_LT(error.angle, vertices == 7000 ? 1.8 : 2.4);  // 22 before
     EXPECT_LT(error.distance, 0.05);
     EXPECT_LT(std::abs(error.volume), 0.3);
@@ -110,8 +109,7 @@ TEST(Denoise, ACoinKeepsItsLettersAndLosesNoise) {
 }
 
 TEST(Denoise, ASphereIsRound) {
-  const ShapeError error =
-      error_of(edge_presets()[1], "icosphere", 10'242, 0.2, NoiseKind::kGauss);
+  const ShapeError error = error_of(edge_presets()[1], "icosphere", 10'242, 0.2, NoiseKind::kGauss);
   EXPECT_LT(error.angle, 1);  // 19 before
   EXPECT_LT(error.distance, 0.04);
 }
@@ -204,10 +202,8 @@ uint64_t hash_of(const std::vector<Vec3f>& moves) {
 
 TEST(Denoise, HasTheSameBitsOnEveryMachine) {
   const TriangleMesh part = *generate_scan({"part", 2000, 1, 0.2, NoiseKind::kGauss});
-  EXPECT_EQ(hash_of(layer_of(part, machined())),
-            0xdf9c374a805c604a);
-  EXPECT_EQ(hash_of(layer_of(part, scanner())),
-            0xf2361079316a75cd);
+  EXPECT_EQ(hash_of(layer_of(part, machined())), 0xdf9c374a805c604a);
+  EXPECT_EQ(hash_of(layer_of(part, scanner())), 0xf2361079316a75cd);
 }
 
 TEST(Denoise, ShowsEachPass) {

@@ -67,7 +67,8 @@ TEST(EdgeProposal, ItsLayerIsNearerToTheCleanShapeThanTheScan) {
 TEST(EdgeProposal, SaysTheNoiseInTheScansUnitAndInEdges) {
   TriangleMesh mesh = *generate_scan({"icosphere", 8000, 1, 0.1, NoiseKind::kGauss});
   for (Vec3d& p : mesh.vertices) p *= 100;
-  EXPECT_THAT(text_of(proposal_for(mesh)), testing::StartsWith("noise about 0.39 (0.10 mean edges)"));
+  EXPECT_THAT(text_of(proposal_for(mesh)),
+              testing::StartsWith("noise about 0.39 (0.10 mean edges)"));
 }
 
 TEST(EdgeProposal, OddMeshesGetOneToo) {

@@ -11,8 +11,7 @@ import { short } from "./words";
 export function EdgesPanel({ document }: PanelProps) {
   const link = useLink();
   const { edges, edgePresets } = document;
-  const isOn = edges.strength > 0;
-  const chosen = !isOn ? "off" : edges.preset || "own";
+  const chosen = edges.strength > 0 ? edges.preset || "own" : "off";
   const choices: [string, string][] = [
     ["off", "Off"],
     ...edgePresets.map(({ name, title }): [string, string] => [name, title]),
@@ -31,7 +30,7 @@ export function EdgesPanel({ document }: PanelProps) {
           else if (name !== "own") link.send(command.keepEdges(name));
         }}
       />
-      {isOn && <Values document={document} />}
+      <Values document={document} />
     </>
   );
 }
