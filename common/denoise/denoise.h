@@ -35,9 +35,9 @@ Result<std::shared_ptr<const DenoiseSurface>> make_denoise_surface(const MeshVie
                                                                    const ScratchSpace& space = {},
                                                                    const Progress& progress = {});
 
-/// Returns the layer of a denoising that keeps edges: one move w per vertex of the mesh, file units.
-/// Strength and crispness are not in it: a vertex goes to x + strength crispness w. The same bits
-/// for any number of threads. Fails: invalid_argument as check_edge_filter() does; cancelled;
+/// Returns the layer of a denoising that keeps edges: one move w per vertex of the mesh, file
+/// units. Strength and crispness are not in it: a vertex goes to x + strength crispness w. The same
+/// bits for any number of threads. Fails: invalid_argument as check_edge_filter() does; cancelled;
 /// resource_exhausted without memory.
 Result<std::vector<Vec3f>> denoise_layer(const DenoiseSurface& surface, const EdgeFilter& wanted,
                                          const ScratchSpace& space = {},

@@ -1,6 +1,7 @@
 #include "server/fields/target_fit.h"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 
 #include "common/base/heard_loop.h"
@@ -92,10 +93,15 @@ using Matrices = std::vector<TargetGradient>;
 
 // Fills the matrices of the cells that have pieces; both lie in the order of cells.
 void fit_cells(const PreparedMesh& prepared, const SurfaceTarget& target, const GridMesh& mesh,
-               std::span<const CellPiece> pieces, Matrices& cells) {
+               std::span<const CellPiece> pieces, const Progress& progress, Matrices& cells) {
   const std::vector<size_t> chunks = chunks_of_cells(pieces);
+  LoopProgress loop(progress, "fit", 0, 1);
+  std::atomic<size_t> done{0};
+  ask_before(loop);
 #pragma omp parallel for schedule(dynamic)
   for (size_t chunk = 0; chunk < chunks.size() - 1; ++chunk) {
+    const auto all = static_cast<double>(chunks.size() - 1);
+    if (!loop.goes_on(static_cast<double>(done++) / all)) continue;
     for (size_t begin = chunks[chunk]; begin < chunks[chunk + 1];) {
       const size_t end = end_of_cell(pieces, begin);
       CellFit fit;
@@ -108,6 +114,7 @@ void fit_cells(const PreparedMesh& prepared, const SurfaceTarget& target, const 
       begin = end;
     }
   }
+  leave_if_cancelled(loop);
 }
 
 // Cutting the triangles is most of the work, and reports a phase of its own.
@@ -129,7 +136,7 @@ Result<Matrices> fit(const PreparedMesh& prepared, const SurfaceTarget& target,
   ASSIGN_OR_RETURN(const ScratchArray<CellPiece> pieces,
                    find_cell_pieces(mesh, count, {space}, progress));
   Matrices cells(prepared.cells.size());
-  fit_cells(prepared, target, mesh, pieces, cells);
+  fit_cells(prepared, target, mesh, pieces, progress, cells);
   return cells;
 }
 

@@ -25,8 +25,7 @@ Result<std::shared_ptr<const FilteredSurface>> filter_surface(const DenoiseSurfa
     for (size_t t = 0; t < normals.size(); ++t)
       filtered->normals[t] = normal_of(normals[t]).cast<float>();
   };
-  ASSIGN_OR_RETURN(filtered->layer,
-                   denoise_layer(surface, filter, {}, progress, keep_last));
+  ASSIGN_OR_RETURN(filtered->layer, denoise_layer(surface, filter, {}, progress, keep_last));
   return std::shared_ptr<const FilteredSurface>(std::move(filtered));
 }
 
