@@ -147,7 +147,7 @@ test("OwnPresetIsKeptChosenAndDeleted", () =>
   bench.visitSession(async (visit) => {
     const panel = visit.page.getByRole("region", { name: "Filter" });
     await panel.getByRole("textbox", { name: "Name for this filter" }).fill("faint lines");
-    await panel.getByRole("button", { name: "Keep" }).click();
+    await panel.getByRole("button", { name: "Keep", exact: true }).click();
     await visit.sent("preset_keep faint lines");
     await visit.change({
       presets: [{ name: "faint lines", description: "Your own", changes: true, own: true }, ...snapshot.presets],

@@ -16,7 +16,7 @@ async function keep(visit: Visit, beta: string, name: string): Promise<void> {
   await field.fill(beta);
   await field.press("Enter");
   await visit.page.getByRole("textbox", { name: "Name for this filter" }).fill(name);
-  await visit.page.getByRole("button", { name: "Keep" }).click();
+  await visit.page.getByRole("button", { name: "Keep", exact: true }).click();
   await presets(visit).getByRole("option", { name }).waitFor({ state: "attached" });
 }
 
@@ -58,7 +58,7 @@ test("BuiltInNamesAreRefused", () =>
   lab.visit(async (visit) => {
     await visit.openScan("tablet");
     await visit.page.getByRole("textbox", { name: "Name for this filter" }).fill("Soften");
-    await visit.page.getByRole("button", { name: "Keep" }).click();
+    await visit.page.getByRole("button", { name: "Keep", exact: true }).click();
     await visit.page.getByText("preset 'Soften' is built in").first().waitFor();
   }));
 
@@ -72,7 +72,7 @@ test("TwoTabsKeepEachOthersPresets", () =>
     await name.waitFor();
     await keep(one, "0.5", "first");
     await name.fill("second");
-    await page.getByRole("button", { name: "Keep" }).click();
+    await page.getByRole("button", { name: "Keep", exact: true }).click();
     const options = await until(
       () => page.getByRole("combobox", { name: "Presets" }).getByRole("option").allInnerTexts(),
       (texts) => texts.includes("second"),
