@@ -45,7 +45,8 @@ Result<EditedSession> look_at(const EditOptions& options, Connection& connection
   if (!scan.prepared)
     return failed_precondition("scan " + scan.scan.name + " is not prepared at depth " +
                                std::to_string(session.key.depth));
-  there.lengths = {scan.prepared->length_unit, scan.prepared->cell_size};
+  there.lengths = {scan.prepared->length_unit, scan.prepared->cell_size,
+                   scan.scan.statistics.mean_edge_length};
   return there;
 }
 
@@ -90,6 +91,7 @@ void add_change_options(CLI::App& command, EditOptions& options) {
   CLI::Option_group* changes = command.add_option_group("Changes", "At least one of them");
   changes->require_option(1, 0);
   add_filter_options(*changes, options.filter);
+  add_edge_options(*changes, options.filter, EdgeChoice::kNamed);
   changes->add_option(
       "--stroke", options.stroke_file,
       "File of strokes: 'brush RADIUS STRENGTH BETA FALLOFF [band:N|curve:N] [through]', then "

@@ -28,7 +28,7 @@ struct FilterChoice {
   std::optional<int> edge_passes;
 
   /// Returns whether the edits depend on the scan.
-  bool needs_scan() const { return wavelength || !preset.empty() || keeps_edges(); }
+  bool needs_scan() const { return wavelength || !preset.empty() || !keep_edges.empty(); }
   bool asks_for_proposal() const { return keep_edges == kAutoEdges; }
   bool keeps_edges() const { return !keep_edges.empty() && edge_strength.value_or(1) > 0; }
 };
@@ -37,8 +37,11 @@ struct FilterChoice {
 /// --colour-beta and --colour-alpha to a command or a group of its options.
 void add_filter_options(CLI::App& command, FilterChoice& choice);
 
+/// Who may choose how edges are kept: the user by name, or the scan too.
+enum class EdgeChoice { kNamed, kNamedOrAuto };
+
 /// Adds --keep-edges and what changes its presets.
-void add_edge_options(CLI::App& command, FilterChoice& choice);
+void add_edge_options(CLI::App& command, FilterChoice& choice, EdgeChoice who);
 
 /// Returns the edits that the choice stands for: curve, β, palette, equaliser, colours; none for
 /// what is not given. A preset ends the bands that are in force. Fails: not_found for an unknown

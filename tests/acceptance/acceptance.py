@@ -147,12 +147,12 @@ def ways_of(facts, server, page):
     ways = {
         "filter": Way(fronts.can_filter,
                       lambda settings, out: fronts.filtered(facts.file, settings, out)),
-        "commands": Way(fronts.can_commands, server.by_commands),
-        "script": Way(fronts.can_script, server.by_script),
+        "commands": Way(fronts.can_session, server.by_commands),
+        "script": Way(fronts.can_session, server.by_script),
         "python": Way(fronts.can_python, server.by_python),
     }
     if page:
-        ways["page"] = Way(fronts.can_script,
+        ways["page"] = Way(fronts.can_session,
                            lambda settings, out: server.by_page(page, settings, out))
     return ways
 

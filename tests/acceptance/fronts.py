@@ -221,19 +221,14 @@ def _script_lines(settings):
     return lines
 
 
-def can_script(settings):
-    """Returns whether scripts have all of these: they have every edit."""
+def can_session(settings):
+    """Returns whether commands and scripts have all of these for sessions: they have every edit."""
     return True
-
-
-def can_commands(settings):
-    """Returns whether `burnish edit` has all of these: it keeps no edges."""
-    return not any(name == "--keep-edges" for name, _ in settings)
 
 
 def can_python(settings):
     """Returns whether the package has all of these in sessions: presets are the window's."""
-    return can_commands(settings) and not any(name == "--preset" for name, _ in settings)
+    return not any(name in ("--preset", "--keep-edges") for name, _ in settings)
 
 
 def _changes(settings):

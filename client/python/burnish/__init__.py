@@ -11,8 +11,8 @@
 from ._version import __version__
 from .cells import CellFields
 from .connection import Connection, connect
-from .edits import (Band, Brush, ColourFilter, Controls, Equaliser, GradientScale, Palette,
-                    PaletteCurve, Stroke, TransferCurve)
+from .edits import (Band, Brush, ColourFilter, Controls, EdgeFilter, Equaliser, GradientScale,
+                    Palette, PaletteCurve, Stroke, TransferCurve)
 from .errors import (AlreadyExists, Cancelled, Damaged, DeadlineExceeded, Error,
                      FailedPrecondition, Internal, InvalidArgument, NotFound, PermissionDenied,
                      Refused, ResourceExhausted, SessionEnded, Unauthenticated, Unavailable,
@@ -33,8 +33,8 @@ from .session import Session
 
 __all__ = [
     "AlreadyExists", "Band", "Brush", "Cancelled", "CellFields", "ClearProtected", "ColourFilter",
-    "Connection", "Controls", "Damaged", "DeadlineExceeded", "Deviation", "Entry", "Equaliser",
-    "Error", "Exported", "FailedPrecondition", "Filtered", "Frame", "Gesture", "GradientScale",
+    "Connection", "Controls", "Damaged", "DeadlineExceeded", "Deviation", "EdgeFilter", "Entry",
+    "Equaliser", "Error", "Exported", "FailedPrecondition", "Filtered", "Frame", "Gesture", "GradientScale",
     "GrowProtected", "Histogram", "Internal", "InvalidArgument", "InvertProtected", "Live", "Mesh",
     "NotFound", "Options", "Palette", "PaletteCurve", "People", "PermissionDenied", "Prepared",
     "ProtectCurvature", "ProtectLasso", "ProtectPiece", "Refused", "ResourceExhausted", "Scan",

@@ -14,6 +14,8 @@ from ._arguments import check_all, check_fields, check_type
 
 FALL_OFFS = {"smooth": editing_pb2.FALL_OFF_SMOOTH, "linear": editing_pb2.FALL_OFF_LINEAR,
              "sharp": editing_pb2.FALL_OFF_SHARP, "constant": editing_pb2.FALL_OFF_CONSTANT}
+NORMAL_FILTERS = {"bilateral": editing_pb2.NORMAL_FILTER_KIND_BILATERAL,
+                  "edges": editing_pb2.NORMAL_FILTER_KIND_EDGES}
 
 
 class Change(Protocol):
@@ -225,3 +227,37 @@ class ColourFilter:
 
     def to_wire(self) -> dict[str, Any]:
         return {"colour": editing_pb2.ColourFilter(alpha=self.alpha, beta=self.beta)}
+
+
+@dataclasses.dataclass(frozen=True)
+class EdgeFilter:
+    """Takes noise away and keeps edges, before the shape is smoothed or sharpened; strength 0 ends it.
+
+    `filter`: "bilateral", or "edges" for machined parts. `edge_angle` (degrees): sharper bends are
+    edges. `passes`: more take longer noise. `crispness`: low for relief, high for machined parts.
+    """
+
+    strength: float = 1.0
+    filter: str = "bilateral"
+    edge_angle: float = 35.0
+    passes: int = 20
+    crispness: float = 1.0
+
+    def __post_init__(self) -> None:
+        check_fields(self, strength=float, filter=str, edge_angle=float, passes=int,
+                     crispness=float)
+
+    def to_wire(self) -> dict[str, Any]:
+        if self.filter not in NORMAL_FILTERS:
+            raise ValueError(f"filter '{self.filter}' is not one of {', '.join(NORMAL_FILTERS)}")
+        if self.passes < 0:
+            raise ValueError(f"passes {self.passes} is less than 0")
+        return {"edges": editing_pb2.EdgeFilter(
+            strength=self.strength, kind=NORMAL_FILTERS[self.filter], edge_angle=self.edge_angle,
+            passes=self.passes, crispness=self.crispness)}
+
+    @classmethod
+    def of(cls, message: editing_pb2.EdgeFilter) -> EdgeFilter:
+        names = {number: name for name, number in NORMAL_FILTERS.items()}
+        return cls(message.strength, names.get(message.kind, "bilateral"), message.edge_angle,
+                   message.passes, message.crispness)

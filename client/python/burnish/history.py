@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from burnish.v1 import editing_pb2
 
-from .edits import Band, ColourFilter, Controls, PaletteCurve, TransferCurve
+from .edits import Band, ColourFilter, Controls, EdgeFilter, PaletteCurve, TransferCurve
 from .scan import ThinWalls
 
 KINDS: dict[int, str] = {
@@ -75,6 +75,8 @@ class State:
     """That a brush can paint."""
     colour: ColourFilter
     """Of the scan's colours; beta 1 keeps them."""
+    edges: EdgeFilter
+    """How edges are kept; at strength 0 they are not."""
 
     @classmethod
     def of(cls, message: editing_pb2.SessionState) -> State:
@@ -89,7 +91,8 @@ class State:
                    [PaletteCurve(one.name, TransferCurve.of(one.curve), one.colour)
                     for one in message.palette.curves],
                    ColourFilter(colour.beta, colour.alpha) if message.HasField("colour")
-                   else ColourFilter(1.0))
+                   else ColourFilter(1.0),
+                   EdgeFilter.of(message.edges) if message.HasField("edges") else EdgeFilter(0.0))
 
 
 @dataclasses.dataclass(frozen=True)

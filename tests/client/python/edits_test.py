@@ -42,6 +42,19 @@ class Edits(Sdk):
         self.assertEqual(state.bands, [burnish.Band(1, 0), burnish.Band(2, 2)])
         self.assertEqual(state.palette, [burnish.PaletteCurve("edges", COARSE)])
         self.assertEqual(state.colour, burnish.ColourFilter(1))
+        self.assertEqual(state.edges.strength, 0)
+
+    def test_edges_are_kept_and_the_state_says_how(self):
+        edges = burnish.EdgeFilter(0.5, "edges", 30, 3, 0.25)
+        self.session.apply(edges)
+        self.assertEqual(self.session.state().edges, edges)
+        self.assertEqual([entry.kind for entry in self.session.history()], ["edges"])
+        with self.assertRaisesRegex(burnish.FailedPrecondition, "kept"):
+            self.session.apply(burnish.Equaliser([burnish.Band(1, 0)]))
+        with self.assertRaisesRegex(ValueError, "'median' is not one of bilateral, edges"):
+            self.session.apply(burnish.EdgeFilter(filter="median"))
+        with self.assertRaisesRegex(burnish.InvalidArgument, "angle 200 is outside 5..120"):
+            self.session.apply(burnish.EdgeFilter(edge_angle=200))
 
     def test_a_wrong_type_is_told_with_the_argument_its_value_and_what_it_takes(self):
         for words, make in (
