@@ -6,7 +6,7 @@
 
 namespace burnish {
 
-/// What a scan's own noise and edges ask for.
+/// A filter that a scan's own noise and edges ask for, and what was read from them.
 struct EdgeProposal {
   double noise = 0;      ///< noise_deviation(), file units
   double mean_edge = 0;  ///< file units

@@ -19,8 +19,8 @@ struct FilteredSurface {
   std::vector<Vec3f> layer;    ///< one per vertex, at crispness 1; file units
 };
 
-/// What is made once for a filter of kept edges, and serves any strength. Immutable; the scan
-/// outlives it.
+/// The parts of a filter of kept edges: they are made once, and serve any strength. Immutable; the
+/// scan outlives them.
 struct EdgeParts {
   EdgeFilter filter;  ///< its strength says nothing
   std::shared_ptr<const DenoiseSurface> surface;

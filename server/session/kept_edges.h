@@ -60,7 +60,7 @@ class KeptEdges {
 
  private:
   using Made = Result<std::shared_ptr<const EdgeParts>>;
-  /// What another thread does.
+  /// The filter that another thread makes.
   struct Work {
     EdgeFilter filter;
     std::shared_ptr<std::atomic<bool>> is_left;

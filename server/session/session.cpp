@@ -143,14 +143,14 @@ struct Session::State {
     shown_layer = wanted;
   }
 
-  /// What the solver's target was.
+  /// The target that the solver has seen.
   struct SeenTarget {
     double strength = 0;
     uint64_t version = 0;
     bool operator==(const SeenTarget&) const = default;
   };
 
-  /// What the layer of frames was made of.
+  /// The state that the layer of frames was made of.
   struct ShownLayer {
     uint64_t version = 0;
     double share = 0;

@@ -30,7 +30,7 @@ struct SolveOptions {
   int cycles = 0;  ///< > 0: exactly this many
 };
 
-/// What vertices do beside the displacement of their corners while edges are kept.
+/// The moves of vertices beside the displacement of their corners, while edges are kept.
 struct VertexLayer {
   std::span<const Vec3f> moves;  ///< one per vertex of the scan, cells; empty: none moves
   double cap = 0;                ///< cells; bounds a vertex's whole move; 0: none

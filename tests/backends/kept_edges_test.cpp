@@ -82,7 +82,7 @@ TEST_F(OnADevice, KeptEdgesTakeMemoryThereWhileTheyAreOn) {
   Filtered filtered(noisy_part(), kDepthOfPart, {.backend = BackendKind::kCuda, .devices = 1});
   const uint64_t matrices = sizeof(TargetGradient) * filtered.session().prepared().cells.size();
   const Solver& solver = filtered.session().solver();
-  // What the first edits make room for stays.
+  // The first edits make room there that stays.
   filtered.alpha(20).beta(2).edges(machined(1)).after(1);
   filtered.edges(machined(0)).after(1);
   const uint64_t before = cuda_memory_used(), own = solver.byte_count();

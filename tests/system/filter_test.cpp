@@ -14,47 +14,14 @@
 #include "common/base/process_memory.h"
 #include "common/generate/generate.h"
 #include "common/mesh/mesh_io.h"
-#include "tests/common/denoise/shape_error.h"
 #include "tests/common/gltf/glb_file.h"
-#include "tests/common/temporary_folder.h"
-#include "tests/system/process.h"
+#include "tests/system/filter_command.h"
 
 namespace burnish {
 namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-constexpr std::chrono::minutes kPatience{2};
-
-class FilterCommand : public testing::Test {
- protected:
-  FilterCommand() {
-    const Status written = write_mesh(make_icosphere(4, 10), in());
-    BURNISH_CHECK(written.is_ok(), written.message());
-  }
-
-  std::string in() const { return (folder_ / "in.ply").string(); }
-  std::string out() const { return (folder_ / "out.ply").string(); }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-  /// Runs burnish with these arguments. Returns its exit code and keeps its output.
-  int burnish(std::vector<std::string> arguments, const Process::Limits& limits = {}) {
-    arguments.insert(arguments.begin(), BURNISH_BINARY);
-    Process process(arguments, folder_ / "log", limits);
-    const int code = process.wait(kPatience).value_or(-1);
-    output_ = process.output();
-    return code;
-  }
-
-  nlohmann::json report() const {
-    std::ifstream file(folder_ / "report.json");
-    return nlohmann::json::parse(file);
-  }
-
-  TemporaryFolder folder_;
-  std::string output_;
-};
 
 TEST_F(FilterCommand, SmoothsASphereAndReportsTheRun) {
   ASSERT_EQ(burnish({"filter", in(), out(), "--depth", "5", "--alpha", "3", "--beta", "0",
@@ -268,7 +235,7 @@ TEST_F(FilterCommand, AnErrorNamesStandardInputAndNoFileOfTheProgramsOwn) {
     const std::string file = folder_.write("wrong.ply", text).string();
     Process process({"/bin/sh", "-c", "exec " BURNISH_BINARY " filter - - < " + file},
                     folder_ / "log", {});
-    EXPECT_EQ(process.wait(kPatience).value_or(-1), 1);
+    EXPECT_EQ(process.wait(kFilterPatience).value_or(-1), 1);
     EXPECT_THAT(process.output(), HasSubstr("standard input"));
     EXPECT_THAT(process.output(), Not(HasSubstr("/in.ply")));
   }
@@ -477,62 +444,6 @@ TEST_F(FilterCommand, TheInputIsReplacedOnlyByForce) {
   EXPECT_EQ(std::filesystem::file_size(in()), before);
   EXPECT_EQ(burnish({"filter", in(), in(), "--depth", "4", "--cycles", "1", "--force"}), 0)
       << output_;
-}
-
-TEST_F(FilterCommand, KeepsTheEdgesOfANoisyPart) {
-  ASSERT_EQ(burnish({"generate", "part", in(), "--vertices", "2500", "--noise", "0.2",
-                     "--noise-kind", "gauss"}),
-            0)
-      << output_;
-  ASSERT_EQ(burnish({"filter", in(), out(), "--keep-edges", "machined", "--exact"}), 0) << output_;
-  const TriangleMesh clean = *generate_scan({"part", 2500, 1, 0.0});
-  const TriangleMesh noisy = *read_mesh(in()), kept = *read_mesh(out());
-  EXPECT_LT(shape_error(clean, kept).angle, 0.25 * shape_error(clean, noisy).angle);
-
-  ASSERT_EQ(burnish({"filter", in(), out(), "--keep-edges", "machined", "--edge-strength", "0",
-                     "--exact"}),
-            0)
-      << output_;
-  EXPECT_EQ(read_mesh(out())->vertices, noisy.vertices);
-}
-
-TEST_F(FilterCommand, TheScansOwnNoiseSaysHowEdgesAreKept) {
-  ASSERT_EQ(burnish({"generate", "part", in(), "--vertices", "2500", "--noise", "0.2",
-                     "--noise-kind", "gauss"}),
-            0)
-      << output_;
-  ASSERT_EQ(burnish({"filter", in(), out(), "--keep-edges", "machined"}), 0) << output_;
-  const auto expected = read_mesh(out())->vertices;
-  ASSERT_EQ(
-      burnish({"filter", in(), out(), "--keep-edges", "auto", "--report", path("report.json")}), 0);
-  EXPECT_THAT(output_, HasSubstr("mean edges), machined part: edges kept at strength 1"));
-  EXPECT_EQ(read_mesh(out())->vertices, expected);
-  const nlohmann::json edges = report().at("edges");
-  EXPECT_EQ(edges.at("filter"), "edges");
-  EXPECT_NEAR(edges.at("noise_in_edges").get<double>(), 0.2, 0.04);
-
-  ASSERT_EQ(burnish({"generate", "part", in(), "--vertices", "2500", "--noise", "0"}), 0);
-  ASSERT_EQ(burnish({"filter", in(), out(), "--keep-edges", "auto"}), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("too little to take away"));
-  EXPECT_EQ(read_mesh(out())->vertices, read_mesh(in())->vertices);
-}
-
-TEST_F(FilterCommand, WordsOfKeptEdgesAreChecked) {
-  EXPECT_EQ(burnish({"filter", in(), out(), "--keep-edges", "corners"}), 2);
-  EXPECT_THAT(output_, HasSubstr("'corners' keeps no edges; there are machined, scanner, soft, "
-                                 "relief, auto"));
-  EXPECT_EQ(burnish({"filter", in(), out(), "--keep-edges", "soft", "--edge-angle", "3"}), 2);
-  EXPECT_THAT(output_, HasSubstr("3 is outside 5 to 120"));
-  EXPECT_EQ(burnish({"filter", in(), out(), "--crispness", "1"}), 2);
-  EXPECT_THAT(output_, HasSubstr("--keep-edges"));
-  EXPECT_EQ(burnish({"filter", in(), out(), "--keep-edges", "soft", "--keep-volume", "on"}), 1);
-  EXPECT_THAT(output_, HasSubstr("--keep-edges cannot stand beside --keep-volume on"));
-  EXPECT_EQ(burnish({"filter", in(), out(), "--keep-edges", "soft", "--band", "1:0"}), 1);
-  EXPECT_THAT(output_, HasSubstr("--keep-edges cannot stand beside --band"));
-  EXPECT_EQ(burnish({"filter", in(), out(), "--keep-edges", "relief", "--preset",
-                     "Bring out an inscription"}),
-            1);
-  EXPECT_THAT(output_, HasSubstr("--keep-edges cannot stand beside --preset 'Bring out"));
 }
 
 TEST_F(FilterCommand, ADepthBeyondTheMachinesMemoryIsRefusedWithWhatItTakes) {

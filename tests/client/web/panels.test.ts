@@ -101,6 +101,16 @@ test("NumberThatIsShownIsNoEdit", () =>
     );
   }));
 
+test("NumberOfAFieldThatGoesAwayIsTaken", () =>
+  bench.visitSession(async (visit) => {
+    const panel = await visit.section("Equaliser");
+    const field = panel.getByRole("textbox", { name: "Gain of band 1 as a number" });
+    await field.fill("0.5");
+    await visit.document({ bands: [] });
+    await field.waitFor({ state: "detached" });
+    await visit.sent("bands 2:0.5 8:1.5");
+  }));
+
 test("NumberBeyondTheLimitBecomesTheLimitWithAMessage", () =>
   bench.visitSession(async (visit) => {
     const field = visit.page.getByRole("textbox", { name: "Gradient scale β as a number" });
