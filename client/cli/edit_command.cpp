@@ -29,15 +29,28 @@ struct EditedSession {
   ScanLengths lengths;
   Equaliser equaliser;
   Controls controls;
+  uint64_t edits = 0;
 };
 
+/// Asks the scan's own noise, if the user leaves it to that, and says the answer. Without noise to
+/// speak of edges stay as they are.
+Status propose(const std::string& scan, FilterChoice& choice, Connection& connection) {
+  if (!choice.asks_for_proposal()) return Status::ok();
+  ASSIGN_OR_RETURN(const EdgeProposal proposal, connection.propose_edges(scan, {}));
+  std::cerr << text_of(proposal) << "\n";
+  choice.proposed_edges = proposal.filter;
+  if (!proposal.filter.is_on()) choice.keep_edges.clear();
+  return Status::ok();
+}
+
 /// Asks only for what these edits need.
-Result<EditedSession> look_at(const EditOptions& options, Connection& connection) {
+Result<EditedSession> look_at(EditOptions& options, Connection& connection) {
   EditedSession there;
   if (!options.controls.is_given() && !options.filter.needs_scan()) return there;
   ASSIGN_OR_RETURN(const SessionState state, connection.state(options.session));
   there.controls = state.settings.controls;
   there.equaliser = state.settings.equaliser;
+  there.edits = state.session.edits;
   if (!options.filter.needs_scan()) return there;
   const SessionInfo& session = state.session;
   ASSIGN_OR_RETURN(const ScanDescription scan,
@@ -47,6 +60,7 @@ Result<EditedSession> look_at(const EditOptions& options, Connection& connection
                                std::to_string(session.key.depth));
   there.lengths = {scan.prepared->length_unit, scan.prepared->cell_size,
                    scan.scan.statistics.mean_edge_length};
+  RETURN_IF_ERROR(propose(session.scan_id, options.filter, connection));
   return there;
 }
 
@@ -71,11 +85,17 @@ Result<std::vector<Edit>> make_edits(const EditOptions& options, const EditedSes
   return edits;
 }
 
-Status run(const EditOptions& options) {
+Result<ApplyOutcome> apply(const EditOptions& options, const EditedSession& there,
+                           Connection& connection) {
+  ASSIGN_OR_RETURN(const std::vector<Edit> edits, make_edits(options, there));
+  if (edits.empty()) return ApplyOutcome{.edits = there.edits};
+  return connection.apply(options.session, edits);
+}
+
+Status run(EditOptions options) {
   ASSIGN_OR_RETURN(Connection connection, options.server.connect());
   ASSIGN_OR_RETURN(const EditedSession there, look_at(options, connection));
-  ASSIGN_OR_RETURN(const std::vector<Edit> edits, make_edits(options, there));
-  ASSIGN_OR_RETURN(const ApplyOutcome outcome, connection.apply(options.session, edits));
+  ASSIGN_OR_RETURN(const ApplyOutcome outcome, apply(options, there, connection));
   if (options.server.json) {
     print_json({{"applied", outcome.applied}, {"known", outcome.known}, {"edits", outcome.edits}});
     return Status::ok();
@@ -91,7 +111,7 @@ void add_change_options(CLI::App& command, EditOptions& options) {
   CLI::Option_group* changes = command.add_option_group("Changes", "At least one of them");
   changes->require_option(1, 0);
   add_filter_options(*changes, options.filter);
-  add_edge_options(*changes, options.filter, EdgeChoice::kNamed);
+  add_edge_options(*changes, options.filter);
   changes->add_option(
       "--stroke", options.stroke_file,
       "File of strokes: 'brush RADIUS STRENGTH BETA FALLOFF [band:N|curve:N] [through]', then "

@@ -77,11 +77,8 @@ void add_filter_options(CLI::App& command, FilterChoice& choice) {
     preset->excludes(command.get_option(name));
 }
 
-void add_edge_options(CLI::App& command, FilterChoice& choice, EdgeChoice who) {
-  const bool has_auto = who == EdgeChoice::kNamedOrAuto;
-  std::string presets;
-  if (has_auto)
-    presets = std::string("\n") + kAutoEdges + ": as the scan's own noise and edges ask";
+void add_edge_options(CLI::App& command, FilterChoice& choice) {
+  std::string presets = std::string("\n") + kAutoEdges + ": as the scan's own noise and edges ask";
   for (const EdgePreset& preset : edge_presets())
     presets.append("\n").append(preset.name).append(": ").append(preset.scans);
   CLI::Option* keep =
@@ -89,10 +86,10 @@ void add_edge_options(CLI::App& command, FilterChoice& choice, EdgeChoice who) {
           .add_option("--keep-edges", choice.keep_edges,
                       "Take noise away and keep edges before --beta smooths or sharpens" + presets)
           ->type_name("NAME")
-          ->check([has_auto](const std::string& name) {
+          ->check([](const std::string& name) {
             const Status known = find_edge_preset(name).status();
-            if (known.is_ok() || (has_auto && name == kAutoEdges)) return std::string();
-            return usage_message(known) + (has_auto ? std::string(", ") + kAutoEdges : "");
+            if (known.is_ok() || name == kAutoEdges) return std::string();
+            return usage_message(known) + ", " + kAutoEdges;
           });
   command.add_option("--edge-strength", choice.edge_strength, "How much of it (default 1)")
       ->check(in_range(0.0, 1.0))

@@ -8,10 +8,9 @@
 
 #include "client/tools/presets.h"
 #include "common/edit/edit.h"
+#include "common/edit/proposed_edges.h"
 
 namespace burnish {
-
-inline constexpr const char* kAutoEdges = "auto";  ///< by the scan's own noise
 
 /// A filter as a user names it on the command line.
 struct FilterChoice {
@@ -37,11 +36,8 @@ struct FilterChoice {
 /// --colour-beta and --colour-alpha to a command or a group of its options.
 void add_filter_options(CLI::App& command, FilterChoice& choice);
 
-/// Who may choose how edges are kept: the user by name, or the scan too.
-enum class EdgeChoice { kNamed, kNamedOrAuto };
-
 /// Adds --keep-edges and what changes its presets.
-void add_edge_options(CLI::App& command, FilterChoice& choice, EdgeChoice who);
+void add_edge_options(CLI::App& command, FilterChoice& choice);
 
 /// Returns the edits that the choice stands for: curve, β, palette, equaliser, colours; none for
 /// what is not given. A preset ends the bands that are in force. Fails: not_found for an unknown

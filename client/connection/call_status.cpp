@@ -76,6 +76,8 @@ Status call_status(const std::string& server, const grpc::Status& status) {
   if (code == StatusCode::kDeadlineExceeded) return {code, where + "no answer in time"};
   if (code == StatusCode::kUnavailable)
     return {code, where + unavailable_words(status.error_message())};
+  if (code == StatusCode::kUnimplemented && status.error_message().empty())
+    return {code, where + "it is of a version without this call"};
   return {code, where + status.error_message()};
 }
 

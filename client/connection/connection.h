@@ -11,6 +11,7 @@
 #include "client/connection/scan_source.h"
 #include "common/base/progress.h"
 #include "common/edit/edit.h"
+#include "common/edit/proposed_edges.h"
 #include "common/measure/section.h"
 #include "common/service/page_values.h"
 #include "common/service/scan_pages.h"
@@ -93,6 +94,8 @@ class Connection {
   /// Fetches blocks, then pages, in the order of the wish. The bytes are not checked.
   /// Needs: at most kPagePartsPerFetchMax parts. Fails: as the server says; cancelled.
   Status fetch_pages(const PagesWish& wish, const PageTaker& take);
+  /// Has the server measure the scan's noise. Fails: as the server says; cancelled.
+  Result<EdgeProposal> propose_edges(const std::string& scan, const Progress& progress);
   /// Returns the id of what is gone.
   Result<std::string> delete_scan(const std::string& scan);
   /// Returns the scan with its new name, 1 to 200 bytes of UTF-8. Fails: as the server says.

@@ -4,6 +4,26 @@
 
 namespace burnish {
 
+Result<EdgeProposal> Connection::propose_edges(const std::string& scan, const Progress& progress) {
+  grpc::ClientContext context;
+  v1::ProposeEdgesRequest request;
+  request.set_scan(scan);
+  const auto reader = state_->library->ProposeEdges(&context, request);
+  v1::ProposeEdgesEvent event;
+  v1::EdgeProposal done;
+  bool is_cancelled = false;
+  while (reader->Read(&event)) {
+    if (event.has_done()) done = event.done();
+    if (is_cancelled || !event.has_progress()) continue;
+    is_cancelled = !report(progress, event.progress().phase(), event.progress().fraction());
+    if (is_cancelled) context.TryCancel();
+  }
+  const grpc::Status there = reader->Finish();
+  if (is_cancelled) return cancelled("measuring the noise was cancelled");
+  RETURN_IF_ERROR(call_status(server(), there));
+  return from_wire(done);
+}
+
 Result<SessionDeviation> Connection::deviation(const std::string& session) {
   v1::GetDeviationRequest request;
   request.set_session(session);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "common/denoise/heard_blocks.h"
 #include "common/denoise/mean_side.h"
@@ -92,13 +91,25 @@ Result<EdgeProposal> propose_edges(const DenoiseSurface& surface, const ScratchS
   return unless_left([&] { return proposed(surface, space, progress); });
 }
 
-std::string text_of(const EdgeProposal& proposal) {
-  char noise[80];
-  std::snprintf(noise, sizeof noise, "noise about %.2g (%.2f mean edges), ", proposal.noise,
-                proposal.noise_in_edges());
-  if (!proposal.filter.is_on()) return std::string(noise) + "too little to take away";
-  return noise + std::string(proposal.is_machined ? "machined part: " : "") +
-         text_of(proposal.filter);
+// Peaks while a guided filter is made: the surface, its rings, nearness, normals and guides.
+static ProposalBytes proposal_bytes(uint64_t vertices, uint64_t triangles, uint64_t pairs) {
+  constexpr uint64_t kSurfacePerTriangle = 33, kSurfacePerVertex = 12, kPerPair = 4;
+  constexpr uint64_t kFilterPerTriangle = 88, kNoisePerVertex = 32;
+  constexpr uint64_t kEnds = 64;  // rows have one start more
+  const uint64_t surface =
+      triangles * kSurfacePerTriangle + vertices * kSurfacePerVertex + pairs * kPerPair + kEnds;
+  return {surface + triangles * kFilterPerTriangle + pairs * kPerPair, vertices * kNoisePerVertex};
+}
+
+ProposalBytes predict_proposal_bytes(const MeshView& mesh) {
+  constexpr uint64_t kPairsPerTriangle = 12;
+  const uint64_t triangles = mesh.triangles.size();
+  return proposal_bytes(mesh.vertices.size(), triangles, kPairsPerTriangle * triangles);
+}
+
+ProposalBytes predict_proposal_bytes(const DenoiseSurface& surface) {
+  return proposal_bytes(surface.welded.vertex_count(), surface.welded.triangle_count(),
+                        surface.rings.pair_count());
 }
 
 }  // namespace burnish

@@ -1,20 +1,11 @@
 #pragma once
 
-#include <string>
+#include <cstdint>
 
 #include "common/denoise/denoise.h"
+#include "common/edit/proposed_edges.h"
 
 namespace burnish {
-
-/// A filter that a scan's own noise and edges ask for, and what was read from them.
-struct EdgeProposal {
-  double noise = 0;      ///< noise_deviation(), file units
-  double mean_edge = 0;  ///< file units
-  bool is_machined = false;
-  EdgeFilter filter;  ///< off if there is no noise to speak of
-
-  double noise_in_edges() const { return noise / mean_edge; }
-};
 
 /// Proposes a filter by the scan's own noise. A scan is machined if nearly all bends of its guided
 /// normals are about right angles; then the preset for such parts is proposed. Other scans lose
@@ -23,8 +14,15 @@ struct EdgeProposal {
 Result<EdgeProposal> propose_edges(const DenoiseSurface& surface, const ScratchSpace& space = {},
                                    const Progress& progress = {});
 
-/// Describes it in a few words: "noise about 0.12 (0.2 mean edges), machined part: edges kept at
-/// strength 1, angle 35, 10 passes, crispness 1, machined".
-std::string text_of(const EdgeProposal& proposal);
+/// The bytes that a surface for denoising and propose_edges() take beside the mesh, at their peak.
+struct ProposalBytes {
+  uint64_t arrays = 0;  ///< in the scratch space
+  uint64_t others = 0;
+};
+
+/// Predicts it for meshes whose vertices have six triangles on average.
+ProposalBytes predict_proposal_bytes(const MeshView& mesh);
+/// Predicts it for any mesh. Accuracy: no less than they take.
+ProposalBytes predict_proposal_bytes(const DenoiseSurface& surface);
 
 }  // namespace burnish

@@ -2,6 +2,7 @@
 
 #include "common/base/text.h"
 #include "common/transfer/content_hash.h"
+#include "common/wire/bands_wire.h"
 #include "common/wire/format_wire.h"
 
 namespace burnish {
@@ -150,6 +151,20 @@ Result<ScanDescription> from_wire(const v1::ScanDescription& message) {
     ASSIGN_OR_RETURN(description.prepared, from_wire(message.prepared()));
   }
   return description;
+}
+
+v1::EdgeProposal to_wire(const EdgeProposal& proposal) {
+  v1::EdgeProposal message;
+  message.set_noise(proposal.noise);
+  message.set_mean_edge(proposal.mean_edge);
+  message.set_machined(proposal.is_machined);
+  *message.mutable_filter() = to_wire(proposal.filter);
+  return message;
+}
+
+Result<EdgeProposal> from_wire(const v1::EdgeProposal& message) {
+  ASSIGN_OR_RETURN(const EdgeFilter filter, from_wire(message.filter()));
+  return EdgeProposal{message.noise(), message.mean_edge(), message.machined(), filter};
 }
 
 }  // namespace burnish

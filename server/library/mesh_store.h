@@ -9,10 +9,12 @@
 
 #include "common/base/progress.h"
 #include "common/base/status.h"
+#include "common/edit/proposed_edges.h"
 #include "common/mesh/rewrite/rewrite.h"
 #include "common/service/scan_info.h"
 #include "common/service/scan_pages.h"
 #include "server/library/data_folder.h"
+#include "server/library/known_proposals.h"
 #include "server/library/mesh_cache.h"
 #include "server/library/open_pages.h"
 #include "server/library/original_store.h"
@@ -135,6 +137,11 @@ class MeshStore {
   /// next open_pages() makes all pages again.
   Result<Page> read_page(const ScanPages& pages, PageId page);
 
+  /// Measures a scan's noise, and proposes how to keep its edges. Remembers the answer: only the
+  /// first call of a scan reads it. One scan at a time. Fails: resource_exhausted if
+  /// memory_bytes_max or the disk has no room; not_found; data_loss as find_original(); cancelled.
+  Result<EdgeProposal> propose_edges(const std::string& id, const Progress& progress);
+
   /// Sets a function that says whether somebody may soon want a prepared mesh again. At most
   /// kPreparedPerScanMax of the others are kept per scan. Null: nobody wants any. Needs: it
   /// outlives the calls.
@@ -192,6 +199,7 @@ class MeshStore {
   std::filesystem::path pages_path(const std::string& id) const;
   Status make_pages(const std::string& id, const Progress& progress);
   Result<std::shared_ptr<const ScanPages>> open_page_file(const std::string& id);
+  Result<EdgeProposal> measure_noise(const std::string& id, const Progress& progress);
   void drop_damaged_pages(const std::string& id, const Status& damage);
 
   const DataFolder& folder_;
@@ -210,6 +218,8 @@ class MeshStore {
   std::mutex wanted_mutex_;
   IsWanted is_wanted_;
   FairMutex preparing_;  // one at a time: each uses all cores and much memory
+  KnownProposals proposals_;
+  FairMutex measuring_;  // likewise, beside what prepares
 };
 
 /// Returns the key with its depth chosen: 0 becomes the scan's default depth.

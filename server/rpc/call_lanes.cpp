@@ -13,6 +13,7 @@ static constexpr std::pair<std::string_view, Lane> kLanes[] = {
 
     {"/burnish.v1.Library/PrepareScan", Lane::kLong},
     {"/burnish.v1.Library/DescribePages", Lane::kLong},
+    {"/burnish.v1.Library/ProposeEdges", Lane::kLong},
     {"/burnish.v1.Editing/OpenSession", Lane::kLong},
     {"/burnish.v1.Editing/ForkSession", Lane::kLong},
     {"/burnish.v1.Editing/Export", Lane::kLong},

@@ -9,6 +9,7 @@
 #include "server/rpc/fetch_pages_call.h"
 #include "server/rpc/import_call.h"
 #include "server/rpc/prepare_call.h"
+#include "server/rpc/propose_edges_call.h"
 #include "server/rpc/start_call.h"
 
 namespace burnish {
@@ -54,6 +55,11 @@ grpc::ServerWriteReactor<v1::DescribePagesEvent>* LibraryService::DescribePages(
 grpc::ServerWriteReactor<v1::FetchPagesEvent>* LibraryService::FetchPages(
     grpc::CallbackServerContext* context, const v1::FetchPagesRequest* request) {
   return start_call<FetchPagesCall>(calls_, context, *request);
+}
+
+grpc::ServerWriteReactor<v1::ProposeEdgesEvent>* LibraryService::ProposeEdges(
+    grpc::CallbackServerContext* context, const v1::ProposeEdgesRequest* request) {
+  return start_call<ProposeEdgesCall>(calls_, context, *request);
 }
 
 grpc::ServerUnaryReactor* LibraryService::RenameScan(grpc::CallbackServerContext* context,

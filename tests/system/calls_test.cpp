@@ -8,6 +8,7 @@
 
 #include "burnish/v1/editing.grpc.pb.h"
 #include "burnish/v1/library.grpc.pb.h"
+#include "client/connection/connection.h"
 #include "common/transfer/chunk.h"
 #include "tests/system/server_process.h"
 
@@ -145,6 +146,20 @@ TEST(Calls, EditsOfManyClientsAtOnceAllCount) {
   for (std::thread& client : clients) client.join();
   EXPECT_EQ(applied, kClients * kEdits);
   EXPECT_THAT(server.burnish({"sessions", "work"}).output, testing::ContainsRegex("edits +160"));
+}
+
+TEST(Calls, AProposalHearsItsCallersCancelAndNamesAnUnknownScan) {
+  ServerProcess server;
+  auto connection = Connection::open(server.address, kPatience).value();
+  ASSERT_TRUE(connection.import_scan(write_sphere(server.folder), "ball", {5, 0}, {}).is_ok());
+  const Progress leave = [](std::string_view, double) { return false; };
+  EXPECT_EQ(connection.propose_edges("ball", leave).status().code(), StatusCode::kCancelled);
+  const auto proposal = connection.propose_edges("ball", {});
+  ASSERT_TRUE(proposal.is_ok()) << proposal.status().to_string();
+  EXPECT_EQ(*proposal, connection.propose_edges("ball", leave).value());  // nothing to wait for
+  const Status unknown = connection.propose_edges("none", {}).status();
+  EXPECT_EQ(unknown.code(), StatusCode::kNotFound);
+  EXPECT_THAT(unknown.message(), testing::HasSubstr("'none'"));
 }
 
 }  // namespace

@@ -95,6 +95,20 @@ TEST_F(UsersTest, EveryRpcAsksForItsRole) {
   EXPECT_TRUE(list_as("vera-secret").ok());
 }
 
+TEST_F(UsersTest, AViewerMayAskHowEdgesOfAScanAreKept) {
+  const std::string token = folder_.write("token", "otto-secret").string();
+  const CommandOutcome imported =
+      server_.burnish({"import", write_sphere(folder_), "--name", "ball", "--token-file", token});
+  ASSERT_EQ(imported.exit_code, 0) << imported.output;
+  const std::string ball =
+      "\x0a\x04"
+      "ball";
+  const std::string method = "/burnish.v1.Library/ProposeEdges";
+  const WireAnswer answer = call(channel_, {method, {ball}, "vera-secret"});
+  EXPECT_TRUE(answer.status.ok()) << answer.status.error_message();
+  EXPECT_FALSE(answer.messages.empty());
+}
+
 TEST_F(UsersTest, AnUnknownRpcIsRefusedEvenToTheOwner) {
   for (const char* method : {"/burnish.v1.Library/Format", "/nonsense", "/a.B/C"})
     EXPECT_EQ(call(channel_, {method, {""}, "otto-secret"}).status.error_code(),

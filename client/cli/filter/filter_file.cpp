@@ -7,7 +7,7 @@
 #include "client/cli/filter/filter_output.h"
 #include "client/cli/filter/filter_report.h"
 #include "common/base/out_of_memory.h"
-#include "common/denoise/denoise.h"
+#include "common/denoise/edge_proposal.h"
 #include "common/mesh/mesh_io.h"
 #include "server/memory/opening_need.h"
 #include "server/solver/device_probe.h"

@@ -14,7 +14,7 @@ constexpr int kThreadsMax = 1024;
 
 void add_field_options(CLI::App& command, FilterOptions& options) {
   add_filter_options(command, options.filter);
-  add_edge_options(command, options.filter, EdgeChoice::kNamedOrAuto);
+  add_edge_options(command, options.filter);
   command.add_option("--beta-paint", options.paint_file,
                      "File of strokes: 'brush RADIUS STRENGTH BETA FALLOFF [through]', then "
                      "'X Y Z' lines; 'through' paints through thin walls");

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "common/base/status.h"
-#include "common/denoise/edge_proposal.h"
+#include "common/edit/proposed_edges.h"
 #include "server/prepare/prepare.h"
 #include "server/session/session.h"
 

@@ -14,8 +14,8 @@ from ._arguments import check_all, check_fields, check_type
 
 FALL_OFFS = {"smooth": editing_pb2.FALL_OFF_SMOOTH, "linear": editing_pb2.FALL_OFF_LINEAR,
              "sharp": editing_pb2.FALL_OFF_SHARP, "constant": editing_pb2.FALL_OFF_CONSTANT}
-NORMAL_FILTERS = {"bilateral": editing_pb2.NORMAL_FILTER_KIND_BILATERAL,
-                  "edges": editing_pb2.NORMAL_FILTER_KIND_EDGES}
+NORMAL_FILTERS = {"bilateral": common_pb2.NORMAL_FILTER_KIND_BILATERAL,
+                  "edges": common_pb2.NORMAL_FILTER_KIND_EDGES}
 
 
 class Change(Protocol):
@@ -252,12 +252,12 @@ class EdgeFilter:
             raise ValueError(f"filter '{self.filter}' is not one of {', '.join(NORMAL_FILTERS)}")
         if self.passes < 0:
             raise ValueError(f"passes {self.passes} is less than 0")
-        return {"edges": editing_pb2.EdgeFilter(
+        return {"edges": common_pb2.EdgeFilter(
             strength=self.strength, kind=NORMAL_FILTERS[self.filter], edge_angle=self.edge_angle,
             passes=self.passes, crispness=self.crispness)}
 
     @classmethod
-    def of(cls, message: editing_pb2.EdgeFilter) -> EdgeFilter:
+    def of(cls, message: common_pb2.EdgeFilter) -> EdgeFilter:
         names = {number: name for name, number in NORMAL_FILTERS.items()}
         return cls(message.strength, names.get(message.kind, "bilateral"), message.edge_angle,
                    message.passes, message.crispness)

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "client/connection/connection_state.h"
+#include "tests/client/connection/fake_library.h"
 
 namespace burnish {
 namespace {
@@ -45,6 +46,14 @@ TEST(CallStatus, TurnsAServerThatIsNotReachedIntoWords) {
 
 TEST(CallStatus, LeavesAnUnknownTextAsItIs) {
   EXPECT_EQ(no_link_words("something new"), "something new");
+}
+
+TEST(CallStatus, AServerWithoutTheCallIsOfAnotherVersion) {
+  FakeLibrary library;  // which has no ProposeEdges
+  auto connection = Connection::open(library.address(), std::chrono::seconds(120)).value();
+  const Status refused = connection.propose_edges("ball", {}).status();
+  EXPECT_EQ(refused.code(), StatusCode::kUnimplemented);
+  EXPECT_THAT(refused.message(), HasSubstr("a version without this call"));
 }
 
 }  // namespace

@@ -80,6 +80,27 @@ TEST(EdgeProposal, OddMeshesGetOneToo) {
   EXPECT_FALSE(proposal_for(one).filter.is_on());
 }
 
+TEST(EdgeProposal, TakesNoMoreThanIsPredicted) {
+  for (const char* kind : {"part", "blob", "soup", "fan", "wall"}) {
+    const TriangleMesh mesh = *generate_scan({kind, 8000, 1, 0.2, NoiseKind::kGauss});
+    const ScratchSpace space;
+    uint64_t most = 0;
+    const Progress look = [&](std::string_view, double) {
+      most = std::max(most, space.memory_bytes());
+      return true;
+    };
+    const auto surface = *make_denoise_surface(mesh, space, look);
+    ASSERT_TRUE(propose_edges(*surface, space, look).is_ok());
+    const uint64_t predicted = predict_proposal_bytes(*surface).arrays;
+    EXPECT_LE(most, predicted) << kind;
+    EXPECT_GT(2 * most, predicted) << kind;
+  }
+  const TriangleMesh blob = noisy("blob", 0.2);
+  EXPECT_NEAR(double(predict_proposal_bytes(MeshView(blob)).arrays) /
+                  double(predict_proposal_bytes(**make_denoise_surface(blob)).arrays),
+              1, 0.05);
+}
+
 TEST(EdgeProposal, HearsACancel) {
   const TriangleMesh mesh = noisy("blob", 0.2);
   const auto surface = *make_denoise_surface(mesh);

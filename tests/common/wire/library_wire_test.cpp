@@ -103,5 +103,14 @@ TEST(StatusWire, CodesAreThoseOfGrpcBothWays) {
   EXPECT_EQ(status_code_from_wire(2), StatusCode::kInternal);
 }
 
+TEST(LibraryWire, AProposalReadsBackAndAnUnknownFilterIsNamed) {
+  const EdgeProposal proposal{0.125, 0.5, true, {1, NormalFilterKind::kEdges, 35, 10, 0.75}};
+  EXPECT_EQ(from_wire(to_wire(proposal)).value(), proposal);
+  EXPECT_FALSE(from_wire(v1::EdgeProposal()).value().filter.is_on());
+  v1::EdgeProposal other = to_wire(proposal);
+  other.mutable_filter()->set_kind(static_cast<v1::NormalFilterKind>(7));
+  EXPECT_THAT(from_wire(other).status().message(), HasSubstr("7"));
+}
+
 }  // namespace
 }  // namespace burnish

@@ -27,6 +27,7 @@ class Library {
     BURNISH_CALL(SetScanUnit, SetScanUnitRequest, ScanInfo)
     BURNISH_CALL_FOR_MANY(PrepareScan, PrepareScanRequest, PrepareEvent)
     BURNISH_CALL_FOR_MANY(DescribePages, DescribePagesRequest, DescribePagesEvent)
+    BURNISH_CALL_FOR_MANY(ProposeEdges, ProposeEdgesRequest, ProposeEdgesEvent)
     BURNISH_CALL_FOR_MANY(FetchPages, FetchPagesRequest, FetchPagesEvent)
 #undef BURNISH_CALL
 #undef BURNISH_CALL_FOR_MANY
