@@ -2,17 +2,25 @@
 #include "client/app/places.h"
 #include "client/app/theme.h"
 #include "client/app/value_slider.h"
+#include "client/model/figures.h"
 
 namespace burnish {
 namespace {
 
+constexpr const char* kForThisScan = "For this scan";
+
 void draw_presets(Document& document) {
   const EdgeFilter& edges = document.edges();
   const EdgePreset* const shown = preset_of(edges);
-  const std::string title(!edges.is_on() ? "Off" : shown ? shown->title : "Own values");
+  const char* const own = document.keeps_edges_by_noise() ? kForThisScan : "Own values";
+  const std::string title(!edges.is_on() ? "Off" : shown ? shown->title : own);
   ImGui::SetNextItemWidth(-1);
   if (!noted("Kept edges", ImGui::BeginCombo("##edges", title.c_str()))) return;
   if (noted("Keep no edges", ImGui::Selectable("Off", !edges.is_on()))) document.commit(SetEdges{});
+  const bool is_by_noise = !shown && document.keeps_edges_by_noise();
+  if (noted(kForThisScan, ImGui::Selectable(kForThisScan, is_by_noise)))
+    document.keep_edges_by_noise();
+  hint("As the scan's own noise and edges ask. The server measures them.");
   for (const EdgePreset& preset : edge_presets()) {
     const std::string name(preset.title);
     if (noted(name, ImGui::Selectable(name.c_str(), edges.is_on() && shown == &preset)))
@@ -61,6 +69,8 @@ void EdgesPanel::draw(Workspace& workspace) {
   faint_text("%s",
              "Noise goes, edges stay, and what is sharpened is the surface without its noise.");
   draw_presets(document);
+  if (const std::string noise = noise_text(document); !noise.empty())
+    faint_text("%s", noise.c_str());
   draw_values(document, workspace.log);  // also at strength 0, which a drag may pass
   ImGui::EndDisabled();
 }

@@ -34,7 +34,8 @@ Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorde
       history_(std::move(opened_.history)),
       edits_known_(opened_.session.edits),
       told_{edits_known_, settings_},
-      measuring_(opened_.connection, opened_.session.id, tasks, log, options.wake) {
+      measuring_(opened_.connection, opened_.session.id, tasks, log, options.wake),
+      noise_(opened_.connection, opened_.session.scan_id, tasks, log, options.wake) {
   take_rims(opened_.state);
   if (has_colours()) colour_ = ColourBy::kScan;
   welcome_.session = opened_.session;
@@ -64,6 +65,7 @@ void Document::send(Change change) {
 
 void Document::send_as(const std::string& id, Change change) {
   const Edit edit{id, std::move(change)};
+  if (std::holds_alternative<SetEdges>(edit.change)) waits_for_noise_ = false;
   settings_.take(edit.change);
   recorder_.record(edit);
   const Status sent = live_->apply({edit});

@@ -12,6 +12,7 @@
 #include "client/model/measuring.h"
 #include "client/model/message_log.h"
 #include "client/model/recorder.h"
+#include "client/model/scan_noise.h"
 #include "client/model/tasks.h"
 #include "client/surface/paged_surface.h"
 #include "client/tools/brush_tool.h"
@@ -123,6 +124,13 @@ class Document {
   const EdgeFilter& edges() const { return settings_.edges; }
   /// Keeps edges as a preset does, and makes fidelity that of waves of kEdgeWaveEdges.
   void keep_edges(const EdgeFilter& preset);
+  /// Has the server measure the scan's noise, and then keeps edges as it proposes. Changes nothing
+  /// if there is no noise to speak of, or if the user sets other edges meanwhile.
+  void keep_edges_by_noise();
+  bool waits_for_noise() const { return waits_for_noise_; }
+  /// Returns whether edges are kept as the scan's noise asks, at any strength.
+  bool keeps_edges_by_noise() const;
+  const ScanNoise& noise() const { return noise_; }
   double mean_edge() const { return opened_.scan.scan.statistics.mean_edge_length; }
 
   /// How the scan's colours are filtered, likewise. Needs: has_colours().
@@ -222,6 +230,7 @@ class Document {
   void add_dabs(const std::vector<Vec3d>& points);
   void refresh_history();
   void take_rims(const SessionState& state);
+  void take_noise();
   void renew_pages();
   Over over_now() const;
   void forget_over();
@@ -284,6 +293,8 @@ class Document {
   };
   std::shared_ptr<Fetch> history_fetch_ = std::make_shared<Fetch>();
   Measuring measuring_;
+  ScanNoise noise_;
+  bool waits_for_noise_ = false;  // the edges that it proposes will be kept
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  // completions may outlive us
   std::unique_ptr<LiveLink> live_;                              // its thread calls wake_
   std::unique_ptr<PagedSurface> surface_;                       // last: it uses live_

@@ -19,6 +19,7 @@ void Document::update(bool draws) {
   if (!draws) surface_->take_arrivals();
   for (const LiveEvent& event : news.events) handle(event);
   follow_server();
+  take_noise();
 }
 
 Status Document::look(const Camera& camera, const ImageSize& size) {

@@ -1,6 +1,7 @@
 // Presets, and which of them is in force.
 
 #include "client/model/document.h"
+#include "client/model/figures.h"
 #include "common/edit/wavelength.h"
 
 namespace burnish {
@@ -25,6 +26,30 @@ void Document::keep_edges(const EdgeFilter& preset) {
   commit(SetEdges{preset});
   commit_curve();
   undo_steps_.join_last_two();
+}
+
+void Document::keep_edges_by_noise() {
+  waits_for_noise_ = true;
+  noise_.ask();
+  take_noise();
+}
+
+// A commit would end a drag or a stroke, so the answer waits for their end.
+void Document::take_noise() {
+  if (!waits_for_noise_ || noise_.is_asking() || !gesture_.empty()) return;
+  waits_for_noise_ = false;
+  const auto& proposal = noise_.proposal();
+  if (!proposal) return;
+  if (proposal->filter.is_on()) return keep_edges(proposal->filter);
+  log_.info(noise_text(*this));
+}
+
+bool Document::keeps_edges_by_noise() const {
+  const auto& proposal = noise_.proposal();
+  if (!proposal || !proposal->filter.is_on() || !edges().is_on()) return false;
+  EdgeFilter whole = edges();
+  whole.strength = proposal->filter.strength;
+  return whole == proposal->filter;
 }
 
 void Document::preview_strength(const Preset& preset, double strength) {

@@ -73,6 +73,14 @@ std::string walls_text(const Document& document) {
   return describe(document.opened().state.walls);
 }
 
+std::string noise_text(const Document& document) {
+  if (document.noise().is_asking()) return "measuring the noise…";
+  const auto& proposal = document.noise().proposal();
+  if (!proposal) return {};
+  return "noise about " + length_text(proposal->noise, document.unit()) +
+         (proposal->filter.is_on() ? "" : ": too little to take away");
+}
+
 std::vector<Figure> ruler_figures(const Document& document) {
   const Ruler& ruler = document.measuring().ruler;
   const auto length = ruler.length();

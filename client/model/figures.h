@@ -29,6 +29,9 @@ std::string rims_text(const Document& document);
 /// Says how much of the scan is on thin walls; empty where nothing is told.
 std::string walls_text(const Document& document);
 
+/// Says how large the scan's noise is, or that it is being measured; empty before anybody asks.
+std::string noise_text(const Document& document);
+
 /// The ruler's distances; empty until it has two ends.
 std::vector<Figure> ruler_figures(const Document& document);
 

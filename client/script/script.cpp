@@ -28,7 +28,9 @@ constexpr CommandForm kForms[] = {
     {"protect", 1, kAny, "protect WORDS: a region in which nothing moves (burnish protect --help)"},
     {"bands", 0, 6, "bands [SIZE:GAIN]...: gains of details up to these sizes; none removes them"},
     {"keep_edges", 1, 1,
-     "keep_edges machined|scanner|soft|relief: noise goes, edges stay, at a fidelity for both"},
+     "keep_edges auto|machined|scanner|soft|relief: noise goes, edges stay, at a fidelity for "
+     "both; "
+     "auto asks the scan's own noise"},
     {"edges", 1, 5, "edges bilateral|edges STRENGTH ANGLE PASSES CRISPNESS, or edges off"},
     {"palette", 0, kAny, "palette [CURVE RRGGBB NAME [; ...]]: the curves that a brush can paint"},
     {"colours", 1, 2, "colours BETA [ALPHA]: filters the scan's colours"},

@@ -6,6 +6,7 @@
 #include "client/script/script_view.h"
 #include "client/tools/own_presets.h"
 #include "common/base/text_lines.h"
+#include "common/edit/proposed_edges.h"
 #include "common/edit/protect_words.h"
 
 namespace burnish {
@@ -152,6 +153,8 @@ Status change_document(const ScriptLine& line, Document& document) {
   } else if (command == "preset") {
     ASSIGN_OR_RETURN(const ChosenPreset chosen, parse_preset(line.words));
     document.apply(chosen.preset, chosen.strength);
+  } else if (command == "keep_edges" && line.words[0] == kAutoEdges) {
+    document.keep_edges_by_noise();
   } else if (command == "keep_edges") {
     ASSIGN_OR_RETURN(const EdgePreset preset, find_edge_preset(line.words[0]));
     document.keep_edges(preset.filter);

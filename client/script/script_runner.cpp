@@ -85,6 +85,9 @@ Status ScriptRunner::run_line(const ScriptLine& line) {
   if (command == "size") return run_size(line);
   if (is_view_command(command)) return run_view(line);
   RETURN_IF_ERROR(change_document(line, *document));
+  if (command == "keep_edges")
+    return update_document_until([](const Document& of) { return !of.waits_for_noise(); },
+                                 "measuring the noise");
   return update();
 }
 

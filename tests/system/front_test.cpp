@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "client/model/figures.h"
 #include "client/scene/null_page_renderer.h"
 #include "common/generate/generate.h"
 #include "common/mesh/mesh_io.h"
@@ -102,6 +103,40 @@ class FrontService : public testing::Test {
 
   bool is_settled() { return !snapshot_["document"].is_null() && document()["settled"] == true; }
   const Json& document() { return snapshot_["document"]; }
+
+  /// Opens a session over a noisy machined part.
+  bool open_part() {
+    const auto file = server_.folder / "noisy.ply";
+    const auto part = generate_scan({"part", 4000, 1, 0.2, NoiseKind::kGauss});
+    if (!write_mesh(part.value(), file).is_ok()) return false;
+    if (!owner_.import_scan(file, "part", {5, 0}, {}).is_ok()) return false;
+    const auto opened = owner_.open_session({"part", "clean", {5, 0}});
+    if (!opened.is_ok() || !start()) return false;
+    line("session join " + opened->session.id);
+    return until([this] { return is_settled(); });
+  }
+
+  std::string noise() { return document()["edges"]["noise"]; }
+  std::string kept_edges() { return document()["edges"]["preset"]; }
+  bool has_message(const std::string& part) {
+    return snapshot_["messages"].dump().find(part) != std::string::npos;
+  }
+
+  void replay(const std::string& script) {
+    given_["one.script"] = script;
+    hear({{"kind", "replay"},
+          {"file", {{"handle", 1}, {"name", "one.script"}, {"size", script.size()}}}});
+  }
+
+  /// Has the server lose the files that were imported.
+  void lose_originals() {
+    using Files = std::filesystem::recursive_directory_iterator;
+    std::vector<std::filesystem::path> originals;
+    for (const auto& entry : Files(server_.folder.path()))
+      if (entry.path().stem() == "original") originals.push_back(entry.path());
+    ASSERT_FALSE(originals.empty());
+    for (const auto& path : originals) std::filesystem::remove(path);
+  }
 
   ServerProcess server_;
   Connection owner_ = Connection::open(server_.address, kPatience).value();
@@ -317,6 +352,7 @@ TEST_F(FrontService, EveryFrontCommandOfThePageIsKnown) {
                            "preview edges edges 0.5 35 10 1",
                            "edges bilateral 1 35 2 0.5",
                            "keep_edges relief",
+                           "keep_edges auto",
                            "edges off",
                            "bands first",
                            "bands",
@@ -361,6 +397,95 @@ TEST_F(FrontService, EveryFrontCommandOfThePageIsKnown) {
     answers_.clear();
   }
   EXPECT_EQ(downloads_.count("work.script"), 1u);
+}
+
+TEST_F(FrontService, EdgesForThisScanAreOneStepAndTheNoiseIsSaid) {
+  ASSERT_TRUE(open_part());
+  EXPECT_EQ(noise(), "");
+  line("unit mm");
+  line("keep_edges auto");
+  EXPECT_EQ(noise_text(*front_.workspace().document()), "measuring the noise…");
+  ASSERT_TRUE(until([this] { return is_settled() && document()["history"].size() == 2; }));
+  EXPECT_THAT(noise(), HasSubstr("noise about 0.0"));
+  ASSERT_TRUE(until([this] { return noise().ends_with(" mm"); }));
+  EXPECT_EQ(kept_edges(), "machined");
+  EXPECT_NE(document()["fidelity"], 50);
+  line("undo");
+  ASSERT_TRUE(until([this] { return is_settled() && document()["edges"]["strength"] == 0; }));
+  EXPECT_EQ(document()["fidelity"], 50);
+  line("keep_edges auto");  // the answer is known
+  EXPECT_TRUE(until([this] { return is_settled() && document()["history"].size() == 4; }));
+}
+
+TEST_F(FrontService, AScanWithoutNoiseSaysSoAndChangesNothing) {
+  ASSERT_TRUE(open());
+  line("keep_edges auto");
+  ASSERT_TRUE(until([this] { return has_message("too little to take away"); }));
+  EXPECT_THAT(noise(), HasSubstr("too little to take away"));
+  line("beta 0.5");
+  ASSERT_TRUE(until([this] { return is_settled() && document()["history"].size() == 1; }));
+  EXPECT_EQ(document()["edges"]["strength"], 0);
+}
+
+TEST_F(FrontService, EdgesThatAreChosenWhileTheNoiseIsMeasuredStay) {
+  ASSERT_TRUE(open_part());
+  line("keep_edges auto");
+  line("keep_edges relief");
+  ASSERT_TRUE(until([this] { return noise().starts_with("noise about") && is_settled(); }));
+  line("beta 0.5");
+  ASSERT_TRUE(until([this] { return is_settled() && document()["history"].size() == 3; }));
+  EXPECT_EQ(kept_edges(), "relief");
+}
+
+TEST_F(FrontService, ADragGoesOnWhileTheNoiseBecomesKnown) {
+  ASSERT_TRUE(open_part());
+  line("preview beta 0.3");
+  line("keep_edges auto");
+  ASSERT_TRUE(until([this] { return noise().starts_with("noise about"); }));
+  EXPECT_EQ(document()["history"].size(), 0u);
+  line("preview beta 0.4");
+  line("beta 0.4");
+  ASSERT_TRUE(until([this] { return is_settled() && document()["history"].size() == 3; }));
+  EXPECT_EQ(kept_edges(), "machined");
+  EXPECT_EQ(document()["beta"], 0.4);
+}
+
+TEST_F(FrontService, ANoiseThatCannotBeMeasuredIsAMessageAndThePanelGoesOn) {
+  ASSERT_TRUE(open_part());
+  lose_originals();
+  line("keep_edges auto");
+  ASSERT_TRUE(until([this] { return has_message("noise: server"); }));
+  EXPECT_EQ(noise(), "");
+  line("keep_edges machined");
+  ASSERT_TRUE(until([this] { return is_settled() && document()["history"].size() == 2; }));
+  EXPECT_EQ(kept_edges(), "machined");
+}
+
+TEST_F(FrontService, AScriptWaitsForTheNoiseBeforeItsNextLine) {
+  ASSERT_TRUE(open_part());
+  replay("join clean\nkeep_edges auto\nbeta 0.5\n");
+  ASSERT_TRUE(until([this] { return has_message("replayed one.script") && is_settled(); }));
+  ASSERT_TRUE(until([this] { return document()["history"].size() == 3; }));
+  EXPECT_THAT(document()["history"][0].dump(), HasSubstr("beta"));
+}
+
+TEST_F(FrontService, AScriptEndsAtANoiseThatCannotBeMeasured) {
+  ASSERT_TRUE(open_part());
+  lose_originals();
+  replay("join clean\nkeep_edges auto\nbeta 0.5\n");
+  EXPECT_TRUE(until([this] { return has_message("one.script:2: keep_edges"); }));
+}
+
+TEST_F(FrontService, TheCommandKeepsEdgesByTheNoiseThatItSays) {
+  ASSERT_TRUE(open_part());
+  const CommandOutcome kept = server_.burnish({"edit", "clean", "--keep-edges", "auto"});
+  EXPECT_EQ(kept.exit_code, 0) << kept.output;
+  EXPECT_THAT(kept.output, HasSubstr("machined part: edges kept at strength 1"));
+  EXPECT_THAT(kept.output, HasSubstr("2 edits applied"));
+  const CommandOutcome nothing = server_.burnish({"edit", "work", "--keep-edges", "auto"});
+  EXPECT_EQ(nothing.exit_code, 0) << nothing.output;
+  EXPECT_THAT(nothing.output, HasSubstr("too little to take away"));
+  EXPECT_THAT(nothing.output, HasSubstr("0 edits applied, 0 in all"));
 }
 
 TEST_F(FrontService, ARecordedScriptReplaysTheEdits) {

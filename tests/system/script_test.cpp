@@ -176,6 +176,19 @@ TEST(Script, KeptEdgesAreEdits) {
       testing::HasSubstr("FILTER STRENGTH ANGLE PASSES CRISPNESS"));
 }
 
+TEST(Script, EdgesAreKeptAsTheScansNoiseAsksOrStay) {
+  ServerProcess server;
+  const std::string part = (server.folder / "part.ply").string();
+  const auto noisy = generate_scan({"part", 4000, 1, 0.2, NoiseKind::kGauss});
+  ASSERT_TRUE(write_mesh(noisy.value(), part).is_ok());
+  const std::string kept = run_script(server, "open " + part + "\nkeep_edges auto\nprint\n").output;
+  EXPECT_THAT(kept, testing::HasSubstr("edges kept at strength 1, angle 35, 10 passes"));
+  const CommandOutcome quiet = run_script(
+      server, "open " + write_sphere(server.folder, 4) + "\nkeep_edges auto\nwait\nprint\n");
+  EXPECT_EQ(quiet.exit_code, 0) << quiet.output;
+  EXPECT_THAT(quiet.output, testing::HasSubstr(" 0 entries"));
+}
+
 std::string write_red_sphere(const ServerProcess& server) {
   TriangleMesh mesh = make_icosphere(4, 1);
   mesh.colours.assign(mesh.vertices.size(), Rgba8{200, 10, 10, 255});

@@ -1,5 +1,7 @@
 // The equaliser, the palette and the wavelength in the window.
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 
 #include "common/generate/generate.h"
@@ -66,6 +68,19 @@ TEST_F(LayerWindow, EdgesAreKeptByAPresetAndItsStrengthIsDragged) {
   screen_->drag(strength.x + strength.width - 4, y, strength.x + 4, y);
   EXPECT_THAT(newest_of(3).summary, HasSubstr("edges"));
   EXPECT_TRUE(until_it_differs(before, 0.1));
+}
+
+TEST_F(LayerWindow, EdgesForThisScanAreKeptAsItsNoiseAsks) {
+  open_window();
+  open_panel("Keep edges");
+  click_on("Keep edges/Kept edges");
+  click_on("Keep edges/For this scan");
+  ASSERT_TRUE(eventually([&] { return newest_of(2).summary.starts_with("alpha"); }));
+  save_screen("for-this-scan.png");
+  const auto is_of_noise = [](const HistoryEntry& entry) {
+    return entry.summary.find("1 pass,") != std::string::npos;
+  };
+  EXPECT_TRUE(std::ranges::any_of(history(), is_of_noise));
 }
 
 TEST_F(LayerWindow, ABrushPaintsACurveOfThePalette) {

@@ -5,6 +5,7 @@
 #include "client/tools/band_choice.h"
 #include "client/web/core/snapshot.h"
 #include "common/base/ratio.h"
+#include "common/edit/proposed_edges.h"
 #include "common/edit/wavelength.h"
 
 namespace burnish {
@@ -48,11 +49,12 @@ void write_edges(const Document& document, JsonWriter& json) {
   const EdgeFilter& edges = document.edges();
   const EdgePreset* const preset = preset_of(edges);
   json.key("edges").open().text("filter", std::string(name_of(edges.kind)));
-  json.text("preset", std::string(preset ? preset->name : "")).number("strength", edges.strength);
+  const std::string own = document.keeps_edges_by_noise() ? kAutoEdges : "";
+  json.text("preset", preset ? std::string(preset->name) : own).number("strength", edges.strength);
   json.number("angle", edges.edge_angle).whole("passes", edges.passes);
   json.number("crispness", edges.crispness).number("meanEdge", document.mean_edge());
   json.number("angleMin", kEdgeAngleMin).number("angleMax", kEdgeAngleMax);
-  json.whole("passesMax", kNormalPassesMax).close();
+  json.whole("passesMax", kNormalPassesMax).text("noise", noise_text(document)).close();
   json.key("edgePresets").open_list();
   for (const EdgePreset& one : edge_presets())
     json.open().text("name", std::string(one.name)).text("title", std::string(one.title)).close();

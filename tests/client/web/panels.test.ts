@@ -264,6 +264,23 @@ test("EdgesAreKeptByAPresetOrByValues", () =>
     await visit.sent("edges bilateral 0.25 35 4 0");
   }));
 
+test("EdgesForThisScanAreAskedOfTheServerWhichSaysTheNoise", () =>
+  bench.visitSession(async (visit) => {
+    const panel = await visit.section("Keep edges");
+    const choice = panel.getByRole("combobox", { name: "Kept edges" });
+    await visit.document({ edges: { ...session.edges, strength: 0, preset: "" } });
+    await choice.getByText("Off").waitFor({ state: "attached" });
+    await choice.selectOption("For this scan");
+    await visit.sent("keep_edges auto");
+    await visit.document({ edges: { ...session.edges, strength: 0, preset: "", noise: "measuring the noise…" } });
+    await panel.getByText("measuring the noise…").waitFor();
+    assert.equal(await choice.inputValue(), "off");
+    assert.ok(await choice.isEnabled());
+    await visit.document({ edges: { ...session.edges, preset: "auto", noise: "noise about 0.12 mm" } });
+    await panel.getByText("noise about 0.12 mm").waitFor();
+    assert.equal(await choice.inputValue(), "auto");
+  }));
+
 test("EqualiserSendsAllBands", () =>
   bench.visitSession(async (visit) => {
     const panel = await visit.section("Equaliser");

@@ -76,6 +76,7 @@ export const session: Document = {
     angleMin: 5,
     angleMax: 120,
     passesMax: 100,
+    noise: "",
   },
   edgePresets: [
     { name: "machined", title: "Machined part" },

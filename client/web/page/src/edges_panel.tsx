@@ -14,6 +14,7 @@ export function EdgesPanel({ document }: PanelProps) {
   const chosen = edges.strength > 0 ? edges.preset || "own" : "off";
   const choices: [string, string][] = [
     ["off", "Off"],
+    ["auto", "For this scan"],
     ...edgePresets.map(({ name, title }): [string, string] => [name, title]),
   ];
   if (chosen === "own") choices.push(["own", "Own values"]);
@@ -30,6 +31,7 @@ export function EdgesPanel({ document }: PanelProps) {
           else if (name !== "own") link.send(command.keepEdges(name));
         }}
       />
+      {edges.noise && <div class="faint">{edges.noise}</div>}
       <Values document={document} />
     </>
   );

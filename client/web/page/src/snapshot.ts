@@ -111,7 +111,7 @@ export interface Curve {
 /** How edges are kept; off at strength 0. */
 export interface Edges {
   filter: string;
-  /** Empty: none has these values. */
+  /** Of a preset; "auto": as the scan's noise asks; empty: values of one's own. */
   preset: string;
   strength: number;
   /** Degrees. */
@@ -123,6 +123,8 @@ export interface Edges {
   angleMin: number;
   angleMax: number;
   passesMax: number;
+  /** How large the scan's noise is, in words; empty before anybody asks. */
+  noise: string;
 }
 
 export interface Band {

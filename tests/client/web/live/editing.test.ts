@@ -81,6 +81,15 @@ test("CurveIsDrawnInItsPlot", () =>
     assert.match(curve, /^-?[\d.]+:[\d.]+(,-?[\d.]+:[\d.]+)+$/);
   }));
 
+test("EdgesForThisScanAreKeptAndItsNoiseIsSaid", () =>
+  edit(async (visit, session) => {
+    const panel = await visit.section("Keep edges");
+    await panel.getByRole("combobox", { name: "Kept edges" }).selectOption("For this scan");
+    await panel.getByText(/^noise about [\d.e-]+/).waitFor();
+    await edits(session, 2);
+    await visit.screenshot("for-this-scan");
+  }));
+
 test("HistorySwitchesAnEditOffAndACheckpointComesBack", () =>
   edit(async (visit, session) => {
     const slider = visit.page.getByRole("slider", { name: "Gradient scale β", exact: true });
