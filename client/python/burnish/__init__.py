@@ -27,18 +27,19 @@ from .people import People
 from .pictures import animate, render
 from .region import (ClearProtected, GrowProtected, InvertProtected, ProtectCurvature,
                      ProtectLasso, ProtectPiece)
-from .scan import Histogram, Prepared, Scan, ThinWalls
+from .scan import EdgeProposal, Histogram, Prepared, Scan, ThinWalls
 from .serving import serve
 from .session import Session
 
 __all__ = [
     "AlreadyExists", "Band", "Brush", "Cancelled", "CellFields", "ClearProtected", "ColourFilter",
-    "Connection", "Controls", "Damaged", "DeadlineExceeded", "Deviation", "EdgeFilter", "Entry",
-    "Equaliser", "Error", "Exported", "FailedPrecondition", "Filtered", "Frame", "Gesture", "GradientScale",
-    "GrowProtected", "Histogram", "Internal", "InvalidArgument", "InvertProtected", "Live", "Mesh",
-    "NotFound", "Options", "Palette", "PaletteCurve", "People", "PermissionDenied", "Prepared",
-    "ProtectCurvature", "ProtectLasso", "ProtectPiece", "Refused", "ResourceExhausted", "Scan",
-    "Session", "SessionEnded", "State", "Stroke", "ThinWalls", "TransferCurve", "Unauthenticated",
-    "Unavailable", "Unimplemented", "__version__", "animate", "connect", "filter", "filter_all",
-    "filter_mesh", "load_ply", "render", "serve",
+    "Connection", "Controls", "Damaged", "DeadlineExceeded", "Deviation", "EdgeFilter",
+    "EdgeProposal", "Entry", "Equaliser", "Error", "Exported", "FailedPrecondition", "Filtered",
+    "Frame", "Gesture", "GradientScale", "GrowProtected", "Histogram", "Internal",
+    "InvalidArgument", "InvertProtected", "Live", "Mesh", "NotFound", "Options", "Palette",
+    "PaletteCurve", "People", "PermissionDenied", "Prepared", "ProtectCurvature", "ProtectLasso",
+    "ProtectPiece", "Refused", "ResourceExhausted", "Scan", "Session", "SessionEnded", "State",
+    "Stroke", "ThinWalls", "TransferCurve", "Unauthenticated", "Unavailable", "Unimplemented",
+    "__version__", "animate", "connect", "filter", "filter_all", "filter_mesh", "load_ply",
+    "render", "serve",
 ]

@@ -10,9 +10,11 @@ import numpy.typing as npt
 
 from burnish.v1 import common_pb2, library_pb2
 
+from .edits import EdgeFilter
 from .files import FORMAT_NAMES
 
 if TYPE_CHECKING:
+    from ._calls import Calls
     from .connection import Connection
 
 
@@ -43,6 +45,27 @@ class ThinWalls:
     @classmethod
     def of(cls, message: common_pb2.ThinWalls) -> ThinWalls:
         return cls(message.share, message.depth)
+
+
+@dataclasses.dataclass(frozen=True)
+class EdgeProposal:
+    """How the scan's own noise asks to keep edges."""
+
+    noise: float
+    """Deviation of the flatter parts along their normals, the scan's units."""
+    mean_edge: float
+    """The scan's units."""
+    machined: bool
+    """Nearly all bends are about right angles."""
+    filter: EdgeFilter
+    """Of strength 0 if there is no noise to speak of. It goes with waves of 12 mean edges."""
+
+
+def propose_edges(calls: Calls, scan: str) -> EdgeProposal:
+    events = calls.repeat(lambda: list(calls.stream(
+        calls.library.ProposeEdges, library_pb2.ProposeEdgesRequest(scan=scan))))
+    done = events[-1].done
+    return EdgeProposal(done.noise, done.mean_edge, done.machined, EdgeFilter.of(done.filter))
 
 
 @dataclasses.dataclass(frozen=True)
@@ -146,6 +169,10 @@ class Scan:
         if not described.HasField("prepared"):
             raise self._not_prepared(depth)
         return prepared_of(described.prepared)
+
+    def propose_edges(self) -> EdgeProposal:
+        """Has the server measure the scan's noise, and say how to keep edges. It remembers that."""
+        return propose_edges(self._connection.calls, self.id)
 
     def rename(self, name: str) -> None:
         """Gives the scan another name, 1 to 200 bytes of UTF-8."""

@@ -23,7 +23,7 @@ from .live import Live
 from .mesh import Mesh, load_ply
 from .people import People, role_of
 from .progress import Progress
-from .scan import prepared_of
+from .scan import EdgeProposal, prepared_of, propose_edges
 
 EDITS_MAX = 64
 LINES = tuple[list[npt.NDArray[np.float64]], list[npt.NDArray[np.float64]]]
@@ -96,6 +96,10 @@ class Session:
                                     library_pb2.DescribeScanRequest(scan=self.scan_id,
                                                                     depth=self.depth))
         return self.set_alpha(prepared_of(described.prepared).alpha_of(wavelength))
+
+    def propose_edges(self) -> EdgeProposal:
+        """Has the server measure the scan's noise, and say how to keep edges. Changes nothing."""
+        return propose_edges(self._calls, self.scan_id)
 
     def undo(self) -> int:
         """Switches off your newest entry that is on. Raises FailedPrecondition if there is none."""

@@ -56,6 +56,17 @@ class Edits(Sdk):
         with self.assertRaisesRegex(burnish.InvalidArgument, "angle 200 is outside 5..120"):
             self.session.apply(burnish.EdgeFilter(edge_angle=200))
 
+    def test_a_proposal_says_the_noise_and_its_filter_is_an_edit(self):
+        proposal = self.session.propose_edges()
+        self.assertGreater(proposal.mean_edge, 0)
+        self.assertGreaterEqual(proposal.noise, 0)
+        self.assertEqual(proposal, self.session.propose_edges())
+        self.assertEqual(list(self.session.history()), [])
+        self.session.apply(proposal.filter)
+        self.assertEqual(self.session.state().edges, proposal.filter)
+        with self.assertRaisesRegex(burnish.NotFound, "'none'"):
+            burnish.scan.propose_edges(self.session._calls, "none")
+
     def test_a_wrong_type_is_told_with_the_argument_its_value_and_what_it_takes(self):
         for words, make in (
                 (("points", "'1'", "TransferCurve.constant"), lambda: burnish.TransferCurve("1")),
