@@ -75,5 +75,17 @@ TEST(ScanBundle, APlyIsPackedWithThePictureThatItsCommentNames) {
   EXPECT_THAT(bundle->missing(), ElementsAre("gone.png"));
 }
 
+TEST(ScanBundle, APlyIsPackedWithThePictureThatCloudCompareNamesInCapitals) {
+  const TemporaryFolder folder;
+  folder.write("skin.png", "skin");
+  const std::string ply =
+      "ply\nformat ascii 1.0\ncomment TEXTUREFILE skin.png\n"
+      "element vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+      "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  const auto bundle = ScanBundle::open(folder.write("scan.ply", ply));
+  ASSERT_TRUE(bundle.is_ok()) << bundle.status().message();
+  EXPECT_THAT(bundle->beside(), ElementsAre("skin.png"));
+}
+
 }  // namespace
 }  // namespace burnish
