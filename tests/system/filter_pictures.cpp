@@ -1,5 +1,5 @@
-// Draws an inscription as scanned, after two filters of other programs, and after ours, for the
-// README; and prints how well its letters can be told from the noise.
+// Draws an inscription as scanned, after a filter of other programs, and after two of ours, for the
+// README. Prints how well its letters can be told from the noise, there and after Taubin's filter.
 // filter_pictures OUT
 
 #include <cstdio>
@@ -59,16 +59,26 @@ Positions taubin(const TriangleMesh& mesh) {
   return to;
 }
 
-Positions ours(const TriangleMesh& mesh) {
+Positions ours(const TriangleMesh& mesh, const std::vector<std::string>& options) {
   const TemporaryFolder folder;
   const std::string in = (folder / "in.ply").string(), out = (folder / "out.ply").string();
   BURNISH_CHECK(write_mesh(mesh, in).is_ok(), "the scan is written");
-  Process process({BURNISH_BINARY, "filter", in, out, "--preset", "Bring out an inscription"},
-                  folder / "log");
+  std::vector<std::string> words = {BURNISH_BINARY, "filter", in, out};
+  words.insert(words.end(), options.begin(), options.end());
+  Process process(words, folder / "log");
   BURNISH_CHECK(process.wait(std::chrono::minutes(20)) == 0, "the scan is filtered");
   const auto read = read_mesh(out);
   BURNISH_CHECK(read.is_ok(), "the result is read");
   return read->vertices;
+}
+
+Positions preset(const TriangleMesh& mesh) {
+  return ours(mesh, {"--preset", "Bring out an inscription"});
+}
+
+Positions edges_kept(const TriangleMesh& mesh) {
+  return ours(mesh, {"--keep-edges", "machined", "--crispness", "0.5", "--beta", "2.2",
+                     "--wavelength", "40"});
 }
 
 Image draw(TriangleMesh mesh, Positions positions) {
@@ -82,21 +92,23 @@ Image draw(TriangleMesh mesh, Positions positions) {
 struct Filter {
   const char* name;
   std::function<Positions(const TriangleMesh&)> apply;
+  bool is_drawn = true;
 };
 
 void draw_all(const std::filesystem::path& out) {
   const NoisyTablet tablet(kVertices, kNoise);
   const Filter filters[] = {{"as scanned", [](const TriangleMesh& mesh) { return mesh.vertices; }},
                             {"Laplacian smoothing", laplacian},
-                            {"Taubin smoothing", taubin},
-                            {"Burnish", ours}};
+                            {"Taubin smoothing", taubin, false},
+                            {"Burnish, preset", preset},
+                            {"Burnish, edges kept", edges_kept}};
   std::vector<Image> tiles;
   for (const Filter& filter : filters) {
     Positions noisy = filter.apply(tablet.noisy());
     const LetterContrast told = tablet.contrast(noisy, filter.apply(tablet.clean()));
     std::printf("| %s | %.2f | %.2f | %.1f |\n", filter.name, told.contrast, told.noise,
                 told.ratio());
-    tiles.push_back(draw(tablet.noisy(), std::move(noisy)));
+    if (filter.is_drawn) tiles.push_back(draw(tablet.noisy(), std::move(noisy)));
   }
   BURNISH_CHECK(write_png(in_rows(tiles, 2), out / "inscription.png").is_ok(),
                 "the sheet is written");

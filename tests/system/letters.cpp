@@ -5,23 +5,20 @@
 #include <optional>
 
 #include "common/base/check.h"
-#include "common/generate/generate.h"
 #include "common/generate/tablet_stone.h"
 
 namespace burnish {
 
-static constexpr uint64_t kSeed = 1;
-
-static TriangleMesh tablet(uint64_t vertices, double noise) {
-  auto mesh = generate_scan({"tablet", vertices, kSeed, noise});
+static TriangleMesh tablet(uint64_t vertices, uint64_t seed, double noise, NoiseKind kind) {
+  auto mesh = generate_scan({"tablet", vertices, seed, noise, kind});
   BURNISH_CHECK(mesh.is_ok(), "the tablet is generated");
   return std::move(mesh).value();
 }
 
-NoisyTablet::NoisyTablet(uint64_t vertices, double noise)
-    : noisy_(tablet(vertices, noise)), clean_(tablet(vertices, 0)) {
+NoisyTablet::NoisyTablet(uint64_t vertices, double noise, NoiseKind kind, uint64_t seed)
+    : noisy_(tablet(vertices, seed, noise, kind)), clean_(tablet(vertices, seed, 0, kind)) {
   constexpr double kFaceLow = -15, kMiddleDepth = 1.4;
-  const TabletStone stone = generated_tablet_stone(kSeed);
+  const TabletStone stone = generated_tablet_stone(seed);
   for (uint32_t v = 0; v < clean_.vertices.size(); ++v) {
     const Vec3d& p = clean_.vertices[v];
     const auto depth = p.z() > kFaceLow ? stone.letter_depth(p.head<2>()) : std::nullopt;

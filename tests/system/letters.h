@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/generate/generate.h"
 #include "common/mesh/triangle_mesh.h"
 
 namespace burnish {
@@ -18,8 +19,9 @@ struct LetterContrast {
 /// A generated tablet as scanned, and the same stone without the scanner's noise.
 class NoisyTablet {
  public:
-  /// `noise`: its deviation over the mean edge.
-  NoisyTablet(uint64_t vertices, double noise);
+  /// `noise`: its deviation over the mean edge. Another seed: another stone and other noise.
+  NoisyTablet(uint64_t vertices, double noise, NoiseKind kind = NoiseKind::kRange,
+              uint64_t seed = 1);
 
   const TriangleMesh& noisy() const { return noisy_; }
   const TriangleMesh& clean() const { return clean_; }
