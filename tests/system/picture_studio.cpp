@@ -5,7 +5,6 @@
 #include "client/scene/camera.h"
 #include "client/scene/png_writer.h"
 #include "common/base/check.h"
-#include "common/generate/generate.h"
 #include "common/mesh/mesh_io.h"
 #include "tests/system/fetched_pages.h"
 
@@ -18,12 +17,11 @@ Studio::Studio(std::filesystem::path out, int scale, bool is_light)
   server_.folder.write("window.toml", std::string("native_dialogs = false\nlight_theme = ") +
                                           (is_light ? "true\n" : "false\n"));
   BURNISH_CHECK(chdir((server_.folder / "").c_str()) == 0, "no folder");  // paths are typed
-  for (const auto& [kind, name, vertices] :
-       {std::tuple{"tablet", "tablet", 60'000}, {"blob", "figurine", 20'000}}) {
-    write_scan(kind, name, vertices);
-    done({"import", std::string(name) + ".ply", "--depth", "7"});
-  }
-  write_scan("blob", "column", 400'000);
+  write_scan({.kind = "tablet", .vertices = 60'000}, "tablet");
+  write_scan({.kind = "blob", .vertices = 20'000}, "figurine");
+  for (const char* const file : {"tablet.ply", "figurine.ply"})
+    done({"import", file, "--depth", "7"});
+  write_scan({.kind = "blob", .vertices = 400'000}, "column");
   write_painted("vase");
   done({"import", "vase.ply", "--depth", "7"});
   done({"open", "vase", "--depth", "7", "--session", "vase", "--user", "ada"});
@@ -44,6 +42,17 @@ void Studio::open_window(const std::string& session) {
   screen_.focus_window();
   wait_until([this] { return is_clay(crop(middle())); });
   settle();
+}
+
+void Studio::open_scan(const GeneratedScan& scan, const std::string& name,
+                       const std::vector<std::string>& changes) {
+  write_scan(scan, name);
+  done({"import", name + ".ply"});
+  done({"open", name, "--session", name, "--user", "ada"});
+  std::vector<std::string> edit = {"edit", name, "--user", "ada"};
+  edit.insert(edit.end(), changes.begin(), changes.end());
+  done(edit);
+  open_window(name);
 }
 
 void Studio::move(int x, int y) {
@@ -239,8 +248,8 @@ void Studio::wait_until(const std::function<bool()>& holds) {
   }
 }
 
-void Studio::write_scan(const std::string& kind, const std::string& name, uint64_t vertices) const {
-  const auto mesh = generate_scan({.kind = kind, .vertices = vertices});
+void Studio::write_scan(const GeneratedScan& scan, const std::string& name) const {
+  const auto mesh = generate_scan(scan);
   const Status written =
       mesh.is_ok() ? write_mesh(*mesh, server_.folder / (name + ".ply")) : mesh.status();
   BURNISH_CHECK(written.is_ok(), written.message());

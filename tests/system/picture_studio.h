@@ -9,6 +9,7 @@
 
 #include "client/connection/connection.h"
 #include "client/connection/session_link.h"
+#include "common/generate/generate.h"
 #include "tests/system/places.h"
 #include "tests/system/server_process.h"
 #include "tests/system/sheet.h"
@@ -28,6 +29,11 @@ class Studio {
 
   /// Opens a session in a window of its own. The last window ends.
   void open_window(const std::string& session);
+
+  /// Generates a scan, imports it at its default depth, and opens it in a window of its own with
+  /// these changes of `burnish edit`.
+  void open_scan(const GeneratedScan& scan, const std::string& name,
+                 const std::vector<std::string>& changes);
 
   void move(int x, int y);
   void press(int x, int y, int button = 1);
@@ -90,7 +96,7 @@ class Studio {
     return warmth > 3 * static_cast<long>(image.rgb.size() / 3);
   }
   static void wait_until(const std::function<bool()>& holds);
-  void write_scan(const std::string& kind, const std::string& name, uint64_t vertices) const;
+  void write_scan(const GeneratedScan& scan, const std::string& name) const;
   // A scan with colours: bands, and stains between them.
   void write_painted(const std::string& name) const;
   void done(std::vector<std::string> words);
