@@ -1,3 +1,5 @@
+#include <span>
+
 #include "client/app/painted_choice.h"
 #include "client/app/panels.h"
 #include "client/app/places.h"
@@ -19,19 +21,24 @@ static void draw_fall_off(Brush& brush) {
 }
 
 static void draw_mode_buttons(Brush& brush) {
-  const float third = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
-  const auto button = [&](const char* label, double beta) {
-    const bool is_on = brush.beta == beta;
+  struct Mode {
+    const char* label;
+    double value;
+  };
+  static constexpr Mode kBeta[] = {{"Smooth", 0}, {"Restore", 1}, {"Sharpen", 2}};
+  static constexpr Mode kEdges[] = {{"Keep here", 0}, {"Denoise here", 1}};
+  const std::span<const Mode> modes = brush.edges ? std::span<const Mode>(kEdges) : kBeta;
+  const auto count = static_cast<float>(modes.size());
+  const float gaps = (count - 1) * ImGui::GetStyle().ItemSpacing.x;
+  const float width = (ImGui::GetContentRegionAvail().x - gaps) / count;
+  for (const Mode& mode : modes) {
+    if (&mode != &modes.front()) ImGui::SameLine();
+    const bool is_on = brush.beta == mode.value;
     if (is_on)
       ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
-    if (noted(label, ImGui::Button(label, {third, 0}))) brush.beta = beta;
+    if (noted(mode.label, ImGui::Button(mode.label, {width, 0}))) brush.beta = mode.value;
     if (is_on) ImGui::PopStyleColor();
-  };
-  button("Smooth", 0);
-  ImGui::SameLine();
-  button("Restore", 1);
-  ImGui::SameLine();
-  button("Sharpen", 2);
+  }
 }
 
 static void draw_reach(Brush& brush) {
@@ -71,10 +78,13 @@ static void draw_pen(Preferences& preferences) {
 
 static void draw_painted_value(Document& document, MessageLog& log) {
   Brush& brush = document.brush().brush;
-  if (has_layers(document)) draw_painted_choice(document);
+  draw_painted_choice(document);
   if (brush.curve > 0) return;
+  if (brush.edges) {
+    linear_slider({{"Painted strength", 0, brush.value_max()}, "%.2f", log}, brush.beta);
+    return;
+  }
   const char* const name = brush.band > 0 ? "Painted gain" : "Painted β";
-  if (!has_layers(document)) ImGui::TextUnformatted(name);
   beta_slider(name, brush.beta, to_imgui(blue_to_red(signed_part_of_beta(brush.beta))), log);
 }
 

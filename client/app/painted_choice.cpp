@@ -8,6 +8,8 @@
 namespace burnish {
 namespace {
 
+constexpr const char* kKeptEdges = "Strength of kept edges";
+
 std::string band_label(const Document& document, int band) {
   return "Gain of " + details_of(document.equaliser(), static_cast<size_t>(band));
 }
@@ -22,9 +24,16 @@ void forget_missing(const Document& document, Brush& brush) {
   if (brush.curve > static_cast<int>(document.palette().curves.size())) brush.curve = 0;
 }
 
+void paint_instead(Brush& brush, const std::string& word) {
+  const bool painted_edges = brush.edges;
+  (void)parse_painted(word, brush);  // it is a word of ours
+  if (brush.edges && !painted_edges) brush.beta = brush.value_max();
+}
+
 std::string painted_label(const Document& document, const Brush& brush) {
   if (brush.band > 0) return band_label(document, brush.band);
   if (brush.curve > 0) return curve_label(document, brush.curve);
+  if (brush.edges) return kKeptEdges;
   return brush.colour ? "Gradient scale of colours" : "Gradient scale β";
 }
 
@@ -38,19 +47,17 @@ void draw_painted_choice(Document& document) {
   ImGui::SameLine(em(6));
   ImGui::SetNextItemWidth(-1);
   if (!ImGui::BeginCombo("##paints", painted_label(document, brush).c_str())) return;
-  const auto choose = [&](const std::string& label, int band, int curve, bool colour = false) {
-    const bool is_chosen = brush.band == band && brush.curve == curve && brush.colour == colour;
-    if (!ImGui::Selectable(label.c_str(), is_chosen)) return;
-    brush.band = band;
-    brush.curve = curve;
-    brush.colour = colour;
+  const auto choose = [&](const std::string& label, const std::string& word) {
+    if (noted(label, ImGui::Selectable(label.c_str(), painted_word(brush) == word)))
+      paint_instead(brush, word);
   };
-  choose("Gradient scale β", 0, 0);
-  if (document.has_colours()) choose("Gradient scale of colours", 0, 0, true);
+  choose("Gradient scale β", "beta");
+  choose(kKeptEdges, "edges");
+  if (document.has_colours()) choose("Gradient scale of colours", "colour");
   for (int band = 1; band <= static_cast<int>(document.equaliser().bands.size()); ++band)
-    choose(band_label(document, band), band, 0);
+    choose(band_label(document, band), "band:" + std::to_string(band));
   for (int curve = 1; curve <= static_cast<int>(document.palette().curves.size()); ++curve)
-    choose(curve_label(document, curve), 0, curve);
+    choose(curve_label(document, curve), "curve:" + std::to_string(curve));
   ImGui::EndCombo();
 }
 

@@ -11,7 +11,7 @@ void Document::apply(const Preset& preset, double strength) {
   last_preset_ = preset;
   settings_.beta = applied.beta;
   curve_.set_curve(applied.curve);
-  if (preset.brush_beta) brush_.brush.beta = *preset.brush_beta;
+  if (preset.brush_beta && !brush_.brush.edges) brush_.brush.beta = *preset.brush_beta;
   const bool has_bands = !applied.equaliser.bands.empty() || !equaliser().bands.empty();
   // The first edit ends a drag, so it is of the value that the drag moved.
   if (has_bands) commit(SetEqualiser{std::move(applied.equaliser)});

@@ -14,10 +14,12 @@ static constexpr double kRadiusMax = 0.5;
 static constexpr double kOnDab = 1e-6;        // of the spacing, as dab_centres()
 static constexpr double kPointSpacing = 0.1;  // of the radius; finer than dabs
 
-double painted_beta(double beta, BrushMode mode) {
-  if (mode == BrushMode::kRestore) return 1;
-  if (mode == BrushMode::kInvert) return std::clamp(2 - beta, kBetaMin, kBetaMax);
-  return beta;
+double painted_value(const Brush& brush, BrushMode mode) {
+  if (mode == BrushMode::kRestore) return brush.keeping_value();
+  const double middle = brush.edges ? 0.5 : 1;
+  if (mode == BrushMode::kInvert)
+    return std::clamp(2 * middle - brush.beta, kBetaMin, brush.value_max());
+  return brush.beta;
 }
 
 void BrushTool::scale_radius(double factor, double diagonal) {
@@ -30,7 +32,7 @@ void BrushTool::set_radius(double radius, double diagonal) {
 
 void BrushTool::begin(BrushMode mode, const Vec3d& point, double pressure) {
   gesture_brush_ = brush;
-  gesture_brush_.beta = painted_beta(brush.beta, mode);
+  gesture_brush_.beta = painted_value(brush, mode);
   go_on(point, pressure);
 }
 

@@ -7,12 +7,12 @@
 
 namespace burnish {
 
-/// The effect of keys held during a stroke on the brush's β.
+/// The effect of keys held during a stroke on what the brush paints.
 enum class BrushMode { kPaint, kInvert, kRestore };
 
-/// Returns the β that a stroke paints: the brush's own; its mirror image about 1, which turns
-/// smoothing into sharpening; or 1, which restores.
-double painted_beta(double beta, BrushMode mode);
+/// Returns the value that a stroke paints: the brush's own; its mirror image, which turns smoothing
+/// into sharpening, and denoising into keeping; or that which restores.
+double painted_value(const Brush& brush, BrushMode mode);
 
 /// A brush and its current stroke, if any. Points lie on the original surface, in file units.
 class BrushTool {

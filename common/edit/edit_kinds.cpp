@@ -23,6 +23,7 @@ std::string painted_text(const Brush& brush) {
   if (brush.band > 0)
     return "band " + std::to_string(brush.band) + " at gain " + number(brush.beta);
   if (brush.curve > 0) return "curve " + std::to_string(brush.curve);
+  if (brush.edges) return "edges kept at strength " + number(brush.beta);
   return (brush.colour ? "colours at beta " : "beta ") + number(brush.beta);
 }
 

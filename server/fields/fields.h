@@ -21,9 +21,9 @@ namespace burnish {
 
 /// The metric and β per cell (section 4.3), and their sources: slider, paint, curve, palette,
 /// overrides. Setting a source is cheap. The next view() computes the cells, once for all changes.
-/// It also keeps what is not for the solver: the equaliser, the paint of its gains,
-/// and what filters the colours.
-/// Shapes: one entry per cell of the finest depth. Units: α in user units.
+/// It also keeps what is not for the solver: the equaliser, the paint of its gains, what filters
+/// the colours, and where edges are kept. Shapes: one entry per cell of the finest depth. Units: α
+/// in user units.
 class Fields {
  public:
   /// Begins with the defaults everywhere: α = 50, β = 1.
@@ -85,14 +85,19 @@ class Fields {
   const ColourFilter& colour() const { return settings_.colour; }
   /// Returns the paint of the colours' β, null without.
   const PaintLayer* colour_paint() const { return layer(kColourLayer); }
+  /// Returns the paint of the strength of kept edges, null without.
+  const PaintLayer* edge_paint() const { return layer(kEdgesLayer); }
+  /// Returns whether edges are kept, everywhere or where it is painted.
+  bool keeps_edges() const { return settings_.edges.is_on() || edge_paint(); }
   /// Sets where colours are kept: in the protected region, not at rims. Null: nowhere.
   void set_colour_hold(std::shared_ptr<const Hold> hold) { colour_hold_ = std::move(hold); }
   const std::shared_ptr<const Hold>& colour_hold() const { return colour_hold_; }
-  /// Returns how far each cell is edited, by β or by the gain of a band: 0 to 1.
+  /// Returns how far each cell is edited, by β or by the gain of a band: 0 to 1. Kept edges do not
+  /// count.
   std::vector<float> edited() const;
   /// Says what paint has changed: equal versions have equal paint, in copies too.
   struct PaintVersions {
-    uint64_t beta = 0, gains = 0, curves = 0, colour = 0;
+    uint64_t beta = 0, gains = 0, curves = 0, colour = 0, edges = 0;
   };
   const PaintVersions& paint_versions() const { return versions_; }
   double gradient_scale() const { return settings_.beta; }

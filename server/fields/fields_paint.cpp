@@ -101,7 +101,7 @@ void Fields::mark_painted(size_t layer) {
     alphas_are_old_ = true;
     versions_.curves = version;
   } else {
-    versions_.colour = version;
+    (layer == kColourLayer ? versions_.colour : versions_.edges) = version;
   }
 }
 

@@ -70,14 +70,22 @@ struct TargetGradient {
 };
 
 /// The gradient that the surface should have in place of its own. With g the constraint of a cell
-/// at β − 1 = 1, its share is (β−1)(I + s T1) g + s T2 g, s the strength. At s = 0 that is the
-/// plain one. Several cells may have other matrices only if `version` differs.
+/// at β − 1 = 1, its share is (β−1)(I + s T1) g + s T2 g, s the strength in the cell. At s = 0 that
+/// is the plain one.
 struct TargetView {
   std::span<const TargetGradient> cells;  ///< empty: there is no target
   double strength = 0;                    ///< 0 to 1
-  uint64_t version = 0;
+  uint64_t version = 0;                   ///< other `cells` have another one
+  std::span<const float> part = {};       ///< of the strength, per cell; empty: 1 in all
+  uint64_t part_version = 0;              ///< another `part` has another one
 
   bool is_active() const { return !cells.empty() && strength != 0; }
+  double strength_in(size_t cell) const { return part.empty() ? strength : strength * part[cell]; }
+  bool is_same(const TargetView& other) const {
+    return is_active() == other.is_active() &&
+           (!is_active() || (strength == other.strength && version == other.version &&
+                             part_version == other.part_version));
+  }
 };
 
 /// The metric and β of every cell of the finest depth.

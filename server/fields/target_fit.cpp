@@ -117,10 +117,12 @@ void fit_cells(const PreparedMesh& prepared, const SurfaceTarget& target, const 
   leave_if_cancelled(loop);
 }
 
-// Cutting the triangles is most of the work, and reports a phase of its own.
-Progress as_one_phase(const Progress& progress) {
+// Reports the phases of a part of the work as that part of one phase.
+Progress part_of(const Progress& progress, double begin, double end) {
   if (!progress) return {};
-  return [&progress](std::string_view, double done) { return progress("gradients", done); };
+  return [&progress, begin, end](std::string_view, double done) {
+    return progress("gradients", begin + (end - begin) * done);
+  };
 }
 
 Result<Matrices> fit(const PreparedMesh& prepared, const SurfaceTarget& target,
@@ -132,11 +134,13 @@ Result<Matrices> fit(const PreparedMesh& prepared, const SurfaceTarget& target,
   const ScratchArray<Vec3d> positions = snapped_positions(view, prepared.frame, space, {});
   const GridMesh mesh = {prepared.triangles, positions, prepared.frame.depth};
   constexpr uint64_t kAnyNumber = std::numeric_limits<uint64_t>::max();
-  ASSIGN_OR_RETURN(const PieceCount count, count_cell_pieces(mesh, kAnyNumber, progress));
+  constexpr double kCounted = 0.3, kFound = 0.7;  // of the time
+  ASSIGN_OR_RETURN(const PieceCount count,
+                   count_cell_pieces(mesh, kAnyNumber, part_of(progress, 0, kCounted)));
   ASSIGN_OR_RETURN(const ScratchArray<CellPiece> pieces,
-                   find_cell_pieces(mesh, count, {space}, progress));
+                   find_cell_pieces(mesh, count, {space}, part_of(progress, kCounted, kFound)));
   Matrices cells(prepared.cells.size());
-  fit_cells(prepared, target, mesh, pieces, progress, cells);
+  fit_cells(prepared, target, mesh, pieces, part_of(progress, kFound, 1), cells);
   return cells;
 }
 
@@ -145,7 +149,7 @@ Result<Matrices> fit(const PreparedMesh& prepared, const SurfaceTarget& target,
 Result<Matrices> fit_target(const PreparedMesh& prepared, const SurfaceTarget& target,
                             const Progress& progress) {
   try {
-    return fit(prepared, target, as_one_phase(progress));
+    return fit(prepared, target, progress);
   } catch (const WorkCancelled&) {
     return cancelled("cancelled while fitting the wanted gradients");
   }

@@ -11,6 +11,8 @@ constexpr uint64_t kSurfaceBytesPerTriangle = 90;
 constexpr uint64_t kWorkBytesPerTriangle = 165, kWorkBytesPerVertex = 28;
 // The fit needs pieces of triangles after the filter has ended: no more than its work and this.
 constexpr uint64_t kPieceBytesPerCell = 48;
+// The strength at a vertex, and in a cell for the session and for the solver.
+constexpr uint64_t kStrengthBytes = sizeof(float);
 // Beside the layers of two filters: places, shares and moves of what is shown, which vertices pages
 // have, and where the scan's are.
 constexpr uint64_t kShownBytesPerVertex = sizeof(Vec3d) + sizeof(Vec3f) + 6 * sizeof(uint32_t);
@@ -76,9 +78,10 @@ uint64_t predict_edge_bytes(const Multigrid& on) {
   constexpr uint64_t kFilters = 2;  // one is made while the other is shown
   const uint64_t per_triangle =
       kSurfaceBytesPerTriangle + kWorkBytesPerTriangle + kFilters * sizeof(Vec3f);
-  const uint64_t per_vertex = kWorkBytesPerVertex + kShownBytesPerVertex + kFilters * sizeof(Vec3f);
+  const uint64_t per_vertex =
+      kWorkBytesPerVertex + kShownBytesPerVertex + kStrengthBytes + kFilters * sizeof(Vec3f);
   const uint64_t per_cell =
-      (kFilters + 1) * sizeof(TargetGradient) + sizeof(uint32_t) + kPieceBytesPerCell;
+      kFilters * sizeof(TargetGradient) + 2 * kStrengthBytes + kPieceBytesPerCell;
   return scan.triangles.size() * per_triangle + scan.vertices.size() * per_vertex +
          scan.cells.size() * per_cell;
 }

@@ -65,7 +65,8 @@ Status EditedFields::check(const Edit& edit) const {
 }
 
 LayerCheck EditedFields::layers() const {
-  return LayerCheck(counting().settings);
+  const Counting now = counting();
+  return {now.settings, now.paints_edges};
 }
 
 static bool needs_colours(const Edit& edit) {
@@ -120,6 +121,7 @@ EditedFields::Counting EditedFields::counting() const {
     last[change.index()] = &change;
     if (std::holds_alternative<Stroke>(change)) {
       counting.strokes.push_back(&entry);
+      counting.paints_edges |= std::get<Stroke>(change).brush.edges;
       counting.protects_before.push_back(counting.protects.size());
     }
     if (std::holds_alternative<SetCellFields>(change)) counting.cells.push_back(&entry);
@@ -127,7 +129,7 @@ EditedFields::Counting EditedFields::counting() const {
   }
   for (const Change* change : last)
     if (change) counting.settings.take(*change);
-  counting.settings = counting_beside_edges(std::move(counting.settings));
+  counting.settings = counting_beside_edges(std::move(counting.settings), counting.paints_edges);
   return counting;
 }
 
@@ -231,7 +233,7 @@ Status EditedFields::replay_strokes(const Counting& wanted, const Progress& prog
   const Status painted = paint_strokes(wanted, series, progress);
   const Fields::PaintVersions& after = fields_.paint_versions();
   changes_ |= {.metric = after.curves != before.curves,
-               .beta = after.beta != before.beta,
+               .beta = after.beta != before.beta || after.edges != before.edges,
                .shown = after.gains != before.gains || after.colour != before.colour};
   return painted;
 }

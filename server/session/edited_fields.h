@@ -108,6 +108,7 @@ class EditedFields {
     Settings settings;
     std::vector<const History::Entry*> protects;
     std::vector<const History::Entry*> strokes;
+    bool paints_edges = false;            ///< one of the strokes does
     std::vector<size_t> protects_before;  ///< of each stroke: so many of `protects`
     std::vector<const History::Entry*> cells;
   };

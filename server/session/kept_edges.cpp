@@ -8,7 +8,7 @@ namespace burnish {
 
 KeptEdges::KeptEdges(std::shared_ptr<const PreparedMesh> prepared, const SparseGrid& grid,
                      int threads)
-    : prepared_(std::move(prepared)), grid_(grid), threads_(threads) {}
+    : prepared_(std::move(prepared)), threads_(threads), strength_(*prepared_, grid) {}
 
 KeptEdges::~KeptEdges() {
   leave_work();
@@ -21,26 +21,29 @@ bool KeptEdges::is_missing(const EdgeFilter& filter) const {
 
 Status KeptEdges::want(const Fields& fields, const Progress& progress) {
   const EdgeFilter& filter = fields.settings().edges;
-  if (filter.is_on() && is_missing(filter)) {
+  if (fields.keeps_edges() && is_missing(filter)) {
     RETURN_IF_ERROR(wait_for_work(filter, progress));
     if (is_missing(filter)) {
       ASSIGN_OR_RETURN(parts_, make_edge_parts(*prepared_, filter, parts_, progress));
+      ++version_;
     }
   }
   leave_work();
-  set(filter, fields.hold());
+  set(fields, filter.strength);
   return Status::ok();
 }
 
-Status KeptEdges::show(const Fields& fields, const EdgeFilter& edited) {
+// The memory of a filter is promised to edits, not to previews: these show what there is.
+Status KeptEdges::show(const Fields& fields, const Fields& edited) {
   if (has_made()) RETURN_IF_ERROR(take_made());
   const EdgeFilter& shown = fields.settings().edges;
-  const EdgeFilter& filter = parts_ && has_same_normals(shown, parts_->filter) ? shown : edited;
-  if (filter.is_on() && is_missing(filter))
+  const bool is_shown = parts_ && has_same_normals(shown, parts_->filter);
+  const EdgeFilter& filter = is_shown ? shown : edited.settings().edges;
+  if ((is_shown ? fields : edited).keeps_edges() && is_missing(filter))
     begin(filter);
   else
     leave_work();
-  set(filter, fields.hold());
+  set(fields, filter.strength);
   return Status::ok();
 }
 
@@ -62,6 +65,7 @@ Status KeptEdges::take_made() {
   work_.reset();
   RETURN_IF_ERROR(made.status());
   parts_ = std::move(made).value();
+  ++version_;
   return Status::ok();
 }
 
@@ -83,52 +87,14 @@ void KeptEdges::leave_work() {
   work_.reset();  // waits for its end
 }
 
-void KeptEdges::set(const EdgeFilter& filter, const std::shared_ptr<const Hold>& held) {
-  filter_ = filter;
-  if (is_on() && (held != hold_ || parts_ != held_parts_)) hold(held);
-}
-
-static TargetGradient times(float factor, TargetGradient of) {
-  for (float& entry : of.of_scale) entry *= factor;
-  for (float& entry : of.of_target) entry *= factor;
-  return of;
-}
-
-// A held cell keeps its own gradient.
-void KeptEdges::hold(const std::shared_ptr<const Hold>& hold) {
-  hold_ = hold;
-  held_parts_ = parts_;
-  ++version_;
-  cells_.clear();
-  free_.clear();
-  if (!hold || hold->weight.empty()) return;
-  cells_ = parts_->target;
-  for (size_t c = 0; c < cells_.size(); ++c) cells_[c] = times(1 - hold->weight[c], cells_[c]);
-  free_vertices(*hold);
-}
-
-// A corner is as free as the least free of its cells, so a vertex in a held cell has no layer, and
-// beside it the layer begins without a step.
-void KeptEdges::free_vertices(const Hold& hold) {
-  std::vector<float> corners(grid_.corner_count(), 1);
-  for (size_t i = 0; i < corners.size(); ++i)
-    for (const int32_t cell : grid_.cells_of_corner[i])
-      if (cell != kNone) corners[i] = std::min(corners[i], 1 - hold.weight[cell]);
-  free_.assign(prepared_->vertices.size(), 1);
-#pragma omp parallel for schedule(static)
-  for (size_t v = 0; v < free_.size(); ++v) {
-    const EvaluationPoint& point = prepared_->evaluation[v];
-    if (point.cell == kNone) continue;
-    const auto weights = trilinear_weights(point.local);
-    free_[v] = 0;
-    for (int a = 0; a < kCornersPerCell; ++a)
-      free_[v] += weights[a] * corners[grid_.cell_corners[point.cell][a]];
-  }
+void KeptEdges::set(const Fields& fields, double strength) {
+  is_wanted_ = fields.keeps_edges();
+  if (is_on()) strength_.take(fields, strength);
 }
 
 TargetView KeptEdges::target() const {
   if (!is_on()) return {};
-  return {cells_.empty() ? parts_->target : cells_, filter_.strength, version_};
+  return {parts_->target, strength_.most(), version_, strength_.in_cells(), strength_.version()};
 }
 
 // Drops the layer of places around triangles that have turned. Returns whether there were any.
@@ -154,39 +120,38 @@ bool KeptEdges::stop_turned(std::span<const Vec3d> positions, std::vector<float>
   return any;
 }
 
-// Returns the part of each vertex's layer that is not held.
-std::vector<float> KeptEdges::free_shares() const {
-  std::vector<float> part(prepared_->vertices.size(), static_cast<float>(layer_share()));
-  for (size_t v = 0; v < free_.size(); ++v) part[v] *= free_[v];
-  return part;
+std::vector<float> KeptEdges::layer_shares() const {
+  std::vector<float> shares(prepared_->vertices.size(), static_cast<float>(layer_share()));
+  const std::span<const float> parts = strength_.at_vertices();
+  for (size_t v = 0; v < parts.size(); ++v) shares[v] *= parts[v];
+  return shares;
 }
 
-std::vector<float> KeptEdges::shares(std::span<const Vec3d> positions) const {
+std::vector<float> KeptEdges::layer_shares(std::span<const Vec3d> positions) const {
   constexpr int kRounds = 8;
-  std::vector<float> part = free_shares();
-  for (int round = 0; round < kRounds && stop_turned(positions, part); ++round) {
+  std::vector<float> shares = layer_shares();
+  for (int round = 0; round < kRounds && stop_turned(positions, shares); ++round) {
   }
-  return part;
+  return shares;
 }
 
 void KeptEdges::add_layer(std::span<Vec3d> positions) const {
   if (!is_on()) return;
-  const std::vector<float> part = shares(positions);
+  const std::vector<float> shares = layer_shares(positions);
   for (size_t v = 0; v < positions.size(); ++v)
-    positions[v] += double{part[v]} * parts_->filtered->layer[v].cast<double>();
+    positions[v] += double{shares[v]} * parts_->filtered->layer[v].cast<double>();
 }
 
 std::vector<Vec3f> KeptEdges::layer(std::span<const Vec3d> positions) const {
-  const std::vector<float> part = positions.empty() ? free_shares() : shares(positions);
-  std::vector<Vec3f> moves(part.size());
+  const std::vector<float> shares = positions.empty() ? layer_shares() : layer_shares(positions);
+  std::vector<Vec3f> moves(shares.size());
 #pragma omp parallel for schedule(static)
-  for (size_t v = 0; v < moves.size(); ++v) moves[v] = part[v] * parts_->filtered->layer[v];
+  for (size_t v = 0; v < moves.size(); ++v) moves[v] = shares[v] * parts_->filtered->layer[v];
   return moves;
 }
 
 uint64_t KeptEdges::byte_count() const {
-  return (parts_ ? parts_->byte_count() : 0) + cells_.size() * sizeof(TargetGradient) +
-         free_.size() * sizeof(float);
+  return (parts_ ? parts_->byte_count() : 0) + strength_.byte_count();
 }
 
 }  // namespace burnish

@@ -2,8 +2,8 @@
 
 namespace burnish {
 
-Settings counting_beside_edges(Settings settings) {
-  if (!settings.edges.is_on()) return settings;
+Settings counting_beside_edges(Settings settings, bool edges_are_painted) {
+  if (!settings.edges.is_on() && !edges_are_painted) return settings;
   settings.equaliser = {};
   settings.controls.keep_volume = false;
   return settings;
@@ -20,22 +20,31 @@ Status LayerCheck::check_brush(const Brush& brush) const {
   return Status::ok();
 }
 
-Status LayerCheck::check(const Edit& edit, const Settings& after) const {
-  if (const auto* stroke = std::get_if<Stroke>(&edit.change)) return check_brush(stroke->brush);
-  if (after.edges.is_on() && after.controls.keep_volume)
+Status LayerCheck::check_beside_edges() const {
+  if (!settings_.edges.is_on() && !edges_are_painted_) return Status::ok();
+  if (settings_.controls.keep_volume)
     return failed_precondition("the volume cannot be kept while edges are kept");
-  if (after.edges.is_on() && !after.equaliser.bands.empty())
+  if (!settings_.equaliser.bands.empty())
     return failed_precondition("bands cannot stand beside kept edges: they have the scan's noise");
-  if (after.palette == settings_.palette && after.curve == settings_.curve) return Status::ok();
-  return check_beside(after.palette, after.curve);
+  return Status::ok();
+}
+
+Status LayerCheck::check(const Edit& edit, const LayerCheck& after) const {
+  RETURN_IF_ERROR(after.check_beside_edges());
+  if (const auto* stroke = std::get_if<Stroke>(&edit.change)) return check_brush(stroke->brush);
+  const Settings& next = after.settings_;
+  if (next.palette == settings_.palette && next.curve == settings_.curve) return Status::ok();
+  return check_beside(next.palette, next.curve);
 }
 
 Status LayerCheck::take(const Edit& edit) {
-  Settings after = settings_;
-  after.take(edit.change);
+  LayerCheck after = *this;
+  after.settings_.take(edit.change);
+  const auto* stroke = std::get_if<Stroke>(&edit.change);
+  after.edges_are_painted_ |= stroke && stroke->brush.edges;
   if (is_known_) RETURN_IF_ERROR(check(edit, after));
-  settings_ = std::move(after);
-  if (!makes_fields(kind_of(edit))) is_known_ = false;
+  after.is_known_ &= makes_fields(kind_of(edit));
+  *this = std::move(after);
   return Status::ok();
 }
 

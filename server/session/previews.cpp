@@ -88,12 +88,17 @@ void Previews::apply(Shown& shown) {
   if (!stroke) {
     Settings settings = copy_->settings();
     settings.take(shown.gesture.change);
-    return copy_->set(counting_beside_edges(std::move(settings)));
+    return set_counting(std::move(settings));
   }
   const std::vector<Vec3d> centres = dab_centres(*stroke);
   if (centres.size() <= shown.painted_dabs) return;
   copy_->paint(stroke->brush, std::span(centres).subspan(shown.painted_dabs));
   shown.painted_dabs = centres.size();
+  if (stroke->brush.edges) set_counting(copy_->settings());
+}
+
+void Previews::set_counting(Settings settings) {
+  copy_->set(counting_beside_edges(std::move(settings), copy_->edge_paint() != nullptr));
 }
 
 Previews::Changes Previews::set_aside() {

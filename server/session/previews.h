@@ -64,6 +64,7 @@ class Previews {
 
   static Changes changes_by(const Gesture& gesture);
   void apply(Shown& shown);
+  void set_counting(Settings settings);
 
   std::vector<Shown> shown_;
   std::optional<Fields> copy_;  // with all shown gestures

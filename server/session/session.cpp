@@ -43,9 +43,7 @@ struct Session::State {
   /// Adds to the changes that the kept edges have another target.
   void note_target(EditedFields::Changes& changes) {
     const TargetView target = edges.target();
-    SeenTarget now;
-    if (target.is_active()) now = {target.strength, target.version};
-    changes.beta |= std::exchange(seen_target, now) != now;
+    changes.beta |= !target.is_same(std::exchange(seen_target, target));
   }
 
   void update_solver(const Fields& fields, const EditedFields::Changes& changes) {
@@ -134,26 +132,20 @@ struct Session::State {
 
   /// Makes the layer of frames. At rest it leaves out what exports leave out.
   void make_shown_layer(std::span<const Vec3f> displacement, bool at_rest) {
-    ShownLayer wanted{edges.target().version, edges.layer_share(), at_rest, at_rest ? looks : 0,
-                      at_rest ? cycles_since_change : 0};
-    if (wanted == shown_layer && layer.size() == prepared->vertices.size()) return;
+    const ShownLayer wanted{at_rest, at_rest ? looks : 0, at_rest ? cycles_since_change : 0};
+    const TargetView target = edges.target();
+    if (layer.size() == prepared->vertices.size() && wanted == shown_layer &&
+        target.is_same(layer_target))
+      return;
     layer = edges.layer(at_rest ? vertices_at(displacement) : std::vector<Vec3d>());
     const auto cells = static_cast<float>(1 / prepared->frame.cell_size);
     for (Vec3f& move : layer) move *= cells;
     shown_layer = wanted;
+    layer_target = target;
   }
-
-  /// The target that the solver has seen.
-  struct SeenTarget {
-    double strength = 0;
-    uint64_t version = 0;
-    bool operator==(const SeenTarget&) const = default;
-  };
 
   /// The state that the layer of frames was made of.
   struct ShownLayer {
-    uint64_t version = 0;
-    double share = 0;
     bool at_rest = false;
     uint64_t looks = 0;
     int cycles = 0;
@@ -174,8 +166,9 @@ struct Session::State {
   BandSurfaces bands;
   ColourChannel colour;
   KeptEdges edges;
-  SeenTarget seen_target;
+  TargetView seen_target;  // by the solver; its cells may be gone
   ShownLayer shown_layer;
+  TargetView layer_target;   // likewise
   std::vector<Vec3f> layer;  // of frames, cells
   BandMix mix;
   ShownDisplacement shown;
@@ -226,8 +219,8 @@ void Session::update() {
   (void)state_->edited.catch_up();  // nobody cancels it
   EditedFields::Changes changes = state_->edited.take_changes();
   const Fields& shown = state_->previews.over(state_->edited.fields(), changes);
-  const EdgeFilter& filter = state_->edited.fields().settings().edges;
-  if (const Status kept = state_->edges.show(shown, filter); !kept.is_ok()) state_->status = kept;
+  const Status kept = state_->edges.show(shown, state_->edited.fields());
+  if (!kept.is_ok()) state_->status = kept;
   state_->note_target(changes);
   state_->update_solver(shown, changes);
 }
@@ -322,14 +315,14 @@ std::span<const Vec3f> Session::displacement() {
 
 bool Session::has_layer() const {
   const KeptEdges& edges = state_->edges;
-  return edges.is_on() && (edges.layer_share() > 0 || state_->edited.controls().cap > 0);
+  return edges.is_on() && (edges.has_layer() || state_->edited.controls().cap > 0);
 }
 
 VertexLayer Session::layer(std::span<const Vec3f> displacement) {
   State& state = *state_;
   if (!state.edges.is_on()) return {};
   const double cap = state.edited.controls().cap / state.prepared->frame.cell_size;
-  if (state.edges.layer_share() == 0) return {.moves = {}, .cap = cap};
+  if (!state.edges.has_layer()) return {.moves = {}, .cap = cap};
   state.make_shown_layer(displacement, is_settled(state.last));
   return {state.layer, cap};
 }

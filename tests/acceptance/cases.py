@@ -84,6 +84,8 @@ EDGES = (
     _case("edges + stroke", ("--keep-edges", "scanner"), *PARTS["stroke"]),
     _case("edges + palette", ("--keep-edges", "scanner"), *PARTS["palette"]),
     _case("edges + colours", ("--keep-edges", "scanner"), *PARTS["colours"]),
+    _case("painted edges", ("--keep-edges", "scanner"), ("--stroke", "0 edges")),
+    _case("edges by brush alone", ("--beta", "2"), ("--stroke", "1 edges")),
     _case("edges + volume", ("--keep-edges", "machined"), *PARTS["volume"]),
 )
 

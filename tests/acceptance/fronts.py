@@ -264,7 +264,7 @@ def _stroke(text):
     radius, strength, beta, fall_off, paints = brush.split()
     curve = int(paints.split(":")[1]) if paints.startswith("curve:") else None
     return burnish.Stroke(burnish.Brush(float(radius), float(beta), float(strength), fall_off,
-                                        curve=curve),
+                                        curve=curve, edges=paints == "edges"),
                           [[float(x) for x in point.split()] for point in points])
 
 

@@ -31,6 +31,11 @@ Filtered& edit(Filtered& filtered, const TriangleMesh& mesh) {
     return Stroke{{.radius = 0.15 * filtered.diagonal(), .strength = 0.7, .beta = beta},
                   {mesh.vertices[vertex]}};
   };
+  const auto dab_of_edges = [&](size_t vertex, double strength) {
+    Stroke stroke = dab(vertex, strength);
+    stroke.brush.edges = true;
+    return stroke;
+  };
   filtered.alpha(20).edges(machined(1)).beta(2).after(2);
   filtered.edges(machined(0.5)).after(1);
   filtered.beta(0.6).after(1);
@@ -40,7 +45,9 @@ Filtered& edit(Filtered& filtered, const TriangleMesh& mesh) {
   filtered.edges(machined(0)).after(1);
   filtered.alpha(35).after(1);
   filtered.edges(machined(0.8, 0.4)).beta(1.5).after(1);
+  filtered.paint(dab_of_edges(900, 0)).after(1);
   filtered.alpha(40).after(1);  // the same ratios
+  filtered.paint(dab_of_edges(300, 1)).edges(machined(0.6, 0.4)).after(1);
   return filtered.paint(dab(1500, 0));
 }
 
@@ -92,6 +99,17 @@ TEST_F(OnADevice, KeptEdgesTakeMemoryThereWhileTheyAreOn) {
   EXPECT_EQ(solver.byte_count(), own + matrices);
   filtered.edges(machined(0)).after(1);
   EXPECT_EQ(cuda_memory_used(), before);
+}
+
+TEST_F(OnADevice, PaintedStrengthTakesFourBytesACellThere) {
+  const TriangleMesh mesh = noisy_part();
+  Filtered filtered(mesh, kDepthOfPart, {.backend = BackendKind::kCuda, .devices = 1});
+  const Solver& solver = filtered.session().solver();
+  filtered.alpha(20).beta(2).edges(machined(1)).after(1);
+  const uint64_t own = solver.byte_count();
+  const Brush brush{.radius = 0.15 * filtered.diagonal(), .beta = 0, .edges = true};
+  filtered.paint({brush, {mesh.vertices[7]}}).after(1);
+  EXPECT_EQ(solver.byte_count(), own + sizeof(float) * filtered.session().prepared().cells.size());
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
-// The cost and the effect of the equaliser and the palette. "layers": a gain's step and a dab of a
-// curve, beside a solve frame and a whole new metric of the painted scan. An update is a frame
-// without its cycle: fields, matrices and constraint. "response": how much is left of a wave on a
+// The cost and the effect of the equaliser, the palette and kept edges. "layers": a gain's step and
+// a dab of a curve, beside a solve frame and a whole new metric of the painted scan. An update is a
+// frame without its cycle: fields, matrices and constraint. "edges": the whole filter, then frames
+// of a slider without and with kept edges, of their strength, and of a dab of it, each until the
+// displacement and the layer are there. "response": how much is left of a wave on a
 // sphere when one band is silent, beside the formula. The wave is that of the coordinates, which
 // are harmonics of order one.
 
@@ -99,6 +101,53 @@ Status measure(const BenchSystem& system, BackendKind backend, int threads, Benc
   return session->status();
 }
 
+/// Returns the milliseconds of a frame with an edit.
+template <typename Apply>
+double measure_frame(Session& session, Apply&& apply) {
+  return median_milliseconds(kFrames, 1, [&] {
+    apply();
+    session.step();
+    session.layer(session.displacement());
+  });
+}
+
+double measure_slider(Session& session) {
+  double beta = 0.5;
+  return measure_frame(session, [&] { must_apply(session, SetGradientScale{beta += 0.01}); });
+}
+
+double measure_strength_dab(Session& session) {
+  const PreparedMesh& prepared = session.prepared();
+  const Brush brush{
+      .radius = kDabRadius * prepared.statistics.diagonal(), .strength = 0.5, .edges = true};
+  size_t vertex = 0;
+  return measure_frame(session, [&] {
+    vertex = (vertex + prepared.vertices.size() / kFrames) % prepared.vertices.size();
+    must_apply(session, Stroke{brush, {prepared.vertices[vertex]}});
+  });
+}
+
+Status measure_edges(const BenchSystem& system, BackendKind backend, int threads,
+                     BenchTable& table) {
+  ASSIGN_OR_RETURN(const auto session,
+                   Session::open(system, {.backend = backend, .threads = threads}));
+  const double plain = measure_slider(*session);
+  SetEdges edges{find_edge_preset("scanner")->filter};
+  must_apply(*session, edges);
+  const double whole = milliseconds(
+      [&] { BURNISH_CHECK(session->solve({.cycles = 1}).is_ok(), "edges could not be kept"); });
+  const double beside = measure_slider(*session);
+  const double strength = measure_frame(*session, [&] {
+    edges.filter.strength -= 0.01;
+    must_apply(*session, edges);
+  });
+  const double dab = measure_strength_dab(*session);
+  table.add({system.name, std::string(session->solver().backend_name()),
+             static_cast<double>(system.prepared->triangles.size()), 1e-3 * whole, plain, beside,
+             strength, dab});
+  return session->status();
+}
+
 /// Returns the mean radius of a sphere of radius 1 with this equaliser.
 Result<double> mean_radius(Session& session, const Equaliser& equaliser) {
   must_apply(session, SetEqualiser{equaliser});
@@ -142,14 +191,24 @@ Status run(const BenchArguments& arguments, BenchReport& report) {
                                                   {"metric_update_ms"},
                                                   {"dab_update_ms"},
                                                   {"dab_of_update"}});
+  BenchTable& edges = report.add_table("edges", {{"scan", "", 26},
+                                                 {"on", "", 5},
+                                                 {"triangles", "%.0f", 9},
+                                                 {"filter_s"},
+                                                 {"slider_ms"},
+                                                 {"slider_beside_ms"},
+                                                 {"strength_ms"},
+                                                 {"dab_ms"}});
   for (const ScanArgument& scan : arguments.scans) {
     ASSIGN_OR_RETURN(const TriangleMesh mesh, load_mesh(scan));
     ASSIGN_OR_RETURN(const auto system,
                      system_or_remark(scan, mesh, depth_of(scan, mesh), arguments, report));
     if (!system) continue;
     RETURN_IF_ERROR(measure(*system, BackendKind::kCpu, arguments.threads, table));
-    if (cuda_device().is_ok())
-      RETURN_IF_ERROR(measure(*system, BackendKind::kCuda, arguments.threads, table));
+    RETURN_IF_ERROR(measure_edges(*system, BackendKind::kCpu, arguments.threads, edges));
+    if (!cuda_device().is_ok()) continue;
+    RETURN_IF_ERROR(measure(*system, BackendKind::kCuda, arguments.threads, table));
+    RETURN_IF_ERROR(measure_edges(*system, BackendKind::kCuda, arguments.threads, edges));
   }
   return report_response(report.add_table(
       "response", {{"silent_band"}, {"wavelength"}, {"found", "%.5f"}, {"formula", "%.5f"}}));

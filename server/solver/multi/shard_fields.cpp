@@ -53,17 +53,27 @@ FieldsView ShardFields::constraint(const FieldsView& whole) {
   return view;
 }
 
+// Takes the values of the shard's cells.
+template <typename Value>
+static void take_values(std::span<const int32_t> cells, std::span<const Value> whole,
+                        std::vector<Value>& taken) {
+  taken.resize(whole.empty() ? 0 : cells.size());
+  for (size_t c = 0; c < taken.size(); ++c) taken[c] = whole[cells[c]];
+}
+
 TargetView ShardFields::target(const TargetView& whole) {
   if (!whole.is_active()) {
     target_ = {};
+    target_part_ = {};
     return {};
   }
-  if (target_.empty() || whole.version != target_version_) {
-    target_.resize(cells_.size());
-    for (size_t c = 0; c < cells_.size(); ++c) target_[c] = whole.cells[cells_[c]];
-    target_version_ = whole.version;
-  }
-  return {target_, whole.strength, whole.version};
+  if (target_.empty() || whole.version != target_version_)
+    take_values(cells_, whole.cells, target_);
+  if (target_part_.empty() || whole.part_version != target_part_version_)
+    take_values(cells_, whole.part, target_part_);
+  target_version_ = whole.version;
+  target_part_version_ = whole.part_version;
+  return {target_, whole.strength, whole.version, target_part_, whole.part_version};
 }
 
 // Few stretches have paint. So one thread, which need not wake others, has looked at all of them
@@ -95,7 +105,8 @@ uint64_t ShardFields::byte_count() const {
   return own_fields_.capacity() * sizeof(OwnFields) + lines_.capacity() * sizeof(LineMass) +
          first_line_.capacity() * sizeof(int32_t) +
          (follow_.capacity() + own_.capacity()) * sizeof(float) + is_painted_.capacity() +
-         painted_.capacity() * sizeof(int32_t) + target_.capacity() * sizeof(TargetGradient);
+         painted_.capacity() * sizeof(int32_t) + target_.capacity() * sizeof(TargetGradient) +
+         target_part_.capacity() * sizeof(float);
 }
 
 }  // namespace burnish

@@ -34,7 +34,8 @@ class ShardFields {
   std::vector<float> follow_, own_;
   std::vector<uint8_t> is_painted_;     // per stretch
   std::vector<TargetGradient> target_;  // empty without
-  uint64_t target_version_ = 0;
+  std::vector<float> target_part_;      // empty: 1 in all
+  uint64_t target_version_ = 0, target_part_version_ = 0;
   std::vector<int32_t> painted_;  // stretches that have paint or had some at the last call
 };
 

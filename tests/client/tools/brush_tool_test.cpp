@@ -16,11 +16,19 @@ BrushTool make_tool() {
 }
 
 TEST(BrushTool, ControlMirrorsBetaAboutOneAndShiftRestores) {
-  EXPECT_EQ(painted_beta(0, BrushMode::kInvert), 2);
-  EXPECT_EQ(painted_beta(2, BrushMode::kInvert), 0);
-  EXPECT_EQ(painted_beta(5, BrushMode::kInvert), 0);
-  EXPECT_EQ(painted_beta(0.25, BrushMode::kRestore), 1);
-  EXPECT_EQ(painted_beta(0.25, BrushMode::kPaint), 0.25);
+  Brush brush;
+  const auto painted = [&](double beta, BrushMode mode) {
+    brush.beta = beta;
+    return painted_value(brush, mode);
+  };
+  EXPECT_EQ(painted(0, BrushMode::kInvert), 2);
+  EXPECT_EQ(painted(2, BrushMode::kInvert), 0);
+  EXPECT_EQ(painted(5, BrushMode::kInvert), 0);
+  EXPECT_EQ(painted(0.25, BrushMode::kRestore), 1);
+  EXPECT_EQ(painted(0.25, BrushMode::kPaint), 0.25);
+  brush.edges = true;
+  EXPECT_EQ(painted(0.75, BrushMode::kInvert), 0.25);
+  EXPECT_EQ(painted(0.75, BrushMode::kRestore), 0);
 }
 
 TEST(BrushTool, AStrokeKeepsWhatTheCursorPassed) {

@@ -194,6 +194,17 @@ test("CurveIsDraggedByMouseAndByKeys", () =>
     await visit.sent("plot remove 1");
   }));
 
+test("BrushOfKeptEdgesDenoisesOrKeeps", () =>
+  bench.visitSession(async (visit) => {
+    await visit.document({ brush: { radius: 4, strength: 0.5, beta: 1, fallOff: "smooth", paints: "edges", through: false } });
+    const panel = visit.page.getByRole("region", { name: "Brush" });
+    await panel.getByRole("button", { name: "Keep here" }).click();
+    await visit.sent("brush 4 0.5 0 smooth edges");
+    await panel.getByRole("textbox", { name: "Painted strength as a number" }).fill("0.5");
+    await visit.page.keyboard.press("Enter");
+    await visit.sent("brush 4 0.5 0.5 smooth edges");
+  }));
+
 test("BrushIsOneLine", () =>
   bench.visitSession(async (visit) => {
     const panel = visit.page.getByRole("region", { name: "Brush" });
@@ -201,6 +212,8 @@ test("BrushIsOneLine", () =>
     await visit.sent("brush 4 0.5 2 smooth beta");
     await panel.getByRole("combobox", { name: "Paints" }).selectOption("Gain of 2 to 8");
     await visit.sent("brush 4 0.5 0 smooth band:2");
+    await panel.getByRole("combobox", { name: "Paints" }).selectOption("Strength of kept edges");
+    await visit.sent("brush 4 0.5 1 smooth edges");
     await panel.getByRole("combobox", { name: "Fall-off" }).selectOption("Sharp");
     await visit.sent("brush 4 0.5 0 sharp beta");
     await panel.getByRole("textbox", { name: "Radius as a number" }).fill("2");

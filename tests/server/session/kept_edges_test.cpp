@@ -221,6 +221,102 @@ TEST(KeptEdges, AProtectedRegionKeepsItsNoise) {
   EXPECT_GT(moved, 100u);
 }
 
+/// A dab of kept edges' strength around the part's first vertex. Lengths are parts of the diagonal.
+struct EdgeDab {
+  const NoisyPart& part;
+  double radius = 0.25;
+
+  double diagonal() const { return compute_statistics(part.noisy).diagonal(); }
+  const Vec3d& centre() const { return part.noisy.vertices.front(); }
+  Stroke of(double strength) const {
+    const Brush brush{.radius = radius * diagonal(),
+                      .beta = strength,
+                      .fall_off = FallOff::kConstant,
+                      .edges = true};
+    return {brush, {centre()}};
+  }
+  /// Returns the mean move of the vertices from `low` to `high` radii around the centre.
+  double mean_move(const TriangleMesh& moved, double low, double high) const {
+    double sum = 0;
+    int count = 0;
+    for (size_t v = 0; v < moved.vertices.size(); ++v) {
+      const Vec3d& was = part.noisy.vertices[v];
+      const double radii = (was - centre()).norm() / (radius * diagonal());
+      if (radii < low || radii > high) continue;
+      sum += (moved.vertices[v] - was).norm();
+      ++count;
+    }
+    EXPECT_GT(count, 50);
+    return sum / count;
+  }
+};
+
+TEST(KeptEdges, ABrushDenoisesWhereNothingElseDoes) {
+  const NoisyPart part;
+  const EdgeDab dab{part};
+  const TriangleMesh painted = part.filtered({part.waves(), dab.of(1)});
+  EXPECT_LT(dab.mean_move(painted, 1.5, 100), 0.02 * dab.mean_move(painted, 0, 0.7));
+  const SetEdges as_painted{{.strength = 1}};
+  const TriangleMesh all = part.filtered({part.waves(), as_painted});
+  EXPECT_NEAR(dab.mean_move(painted, 0, 0.7) / dab.mean_move(all, 0, 0.7), 1, 0.05);
+}
+
+TEST(KeptEdges, ABrushKeepsNoiseWhereTheRestLosesIt) {
+  const NoisyPart part;
+  const EdgeDab dab{part};
+  const TriangleMesh painted = part.filtered({part.waves(), machined(), dab.of(0)});
+  EXPECT_LT(dab.mean_move(painted, 0, 0.7), 0.05 * dab.mean_move(painted, 1.5, 100));
+}
+
+TEST(KeptEdges, PaintOverTheWholeScanIsItsStrength) {
+  const NoisyPart part;
+  const Stroke everywhere = EdgeDab{part, 3}.of(0.5);
+  const double near = 1e-6 * compute_statistics(part.noisy).diagonal();
+  const TriangleMesh half = part.filtered({part.waves(), at_strength(0.5), SetGradientScale{2}});
+  const TriangleMesh painted =
+      part.filtered({part.waves(), machined(), SetGradientScale{2}, everywhere});
+  EXPECT_LT(farthest(painted, half), near);
+  EXPECT_GT(farthest(part.filtered({part.waves(), machined(), SetGradientScale{2}}), half), near);
+}
+
+TEST(KeptEdges, AStrokeThatIsUndoneLeavesNoBit) {
+  const NoisyPart part;
+  const EdgeDab dab{part};
+  const TriangleMesh without = part.filtered({part.waves(), SetGradientScale{0.5}});
+  const TriangleMesh undone =
+      part.filtered({part.waves(), SetGradientScale{0.5}, dab.of(1), Undo{}});
+  EXPECT_EQ(undone.vertices, without.vertices);
+}
+
+TEST(KeptEdges, StepsUnderABrushLeadToWhatASolveFinds) {
+  const NoisyPart part;
+  const auto session = settled_session(part);
+  const std::vector<Change> changes = {EdgeDab{part, 0.1}.of(0), EdgeDab{part, 0.05}.of(0.7),
+                                       SetGradientScale{2}};
+  for (const Change& change : changes) {
+    ASSERT_TRUE(
+        session->apply({std::to_string(session->edited().history().size()), change}).is_ok());
+    session->step();
+  }
+  settle(*session);
+  const TriangleMesh solved = part.filtered({part.waves(), machined(), EdgeDab{part, 0.1}.of(0),
+                                             EdgeDab{part, 0.05}.of(0.7), SetGradientScale{2}});
+  EXPECT_LT(farthest(session->surface(), solved), 1e-4 * compute_statistics(part.noisy).diagonal());
+}
+
+TEST(KeptEdges, AStrokeIsShownBeforeItIsAnEdit) {
+  const NoisyPart part;
+  const EdgeDab dab{part};
+  const auto session = settled_session(part);
+  const TriangleMesh kept = session->surface();
+  session->previews().show(1, {"ann", "drag", dab.of(0)});
+  settle(*session);
+  EXPECT_LT(dab.mean_move(session->surface(), 0, 0.7), 0.1 * dab.mean_move(kept, 0, 0.7));
+  session->previews().drop(1);
+  settle(*session);
+  EXPECT_LT(farthest(session->surface(), kept), 1e-4 * dab.diagonal());
+}
+
 TEST(KeptEdges, NothingMovesMoreThanTheCap) {
   const NoisyPart part;
   const double cap = 0.1 * compute_statistics(part.noisy).mean_edge_length;
@@ -243,7 +339,7 @@ TEST(KeptEdges, ATriangleThatIsListedTwiceCountsOnce) {
 }
 
 TEST(KeptEdges, BandsAreRefusedBesideThem) {
-  LayerCheck check({});
+  LayerCheck check({}, false);
   ASSERT_TRUE(check.take({"1", machined()}).is_ok());
   const Status refused = check.take({"2", SetEqualiser{{{{0.5, 2}}}}});
   EXPECT_EQ(refused.code(), StatusCode::kFailedPrecondition);
@@ -251,9 +347,22 @@ TEST(KeptEdges, BandsAreRefusedBesideThem) {
   EXPECT_TRUE(check.take({"3", at_strength(0)}).is_ok());
 }
 
+TEST(KeptEdges, BandsDoNotStandBesidePaintedOnes) {
+  const NoisyPart part;
+  const Edit bands{"bands", SetEqualiser{{{{0.5, 2}}}}}, stroke{"stroke", EdgeDab{part}.of(1)};
+  LayerCheck painted({}, false), banded({}, false);
+  ASSERT_TRUE(painted.take(stroke).is_ok());
+  EXPECT_EQ(painted.take(bands).code(), StatusCode::kFailedPrecondition);
+  ASSERT_TRUE(banded.take(bands).is_ok());
+  EXPECT_EQ(banded.take(stroke).code(), StatusCode::kFailedPrecondition);
+  const auto session = session_over(part.noisy, 5);
+  ASSERT_TRUE(session->apply(stroke).is_ok());
+  EXPECT_EQ(session->edited().layers().take(bands).code(), StatusCode::kFailedPrecondition);
+}
+
 TEST(KeptEdges, AVolumeIsNotKeptBesideThem) {
   const NoisyPart part;
-  LayerCheck check({});
+  LayerCheck check({}, false);
   ASSERT_TRUE(check.take({"1", machined()}).is_ok());
   const Status refused = check.take({"2", SetControls{{.keep_volume = true}}});
   EXPECT_EQ(refused.code(), StatusCode::kFailedPrecondition);

@@ -9,6 +9,15 @@ import type { Axis, Brush, Document, FallOff } from "./snapshot";
 import { fixed, short } from "./words";
 
 const kAxes: Axis[] = ["x", "y", "z"];
+const kModes = [
+  ["Smooth", 0],
+  ["Restore", 1],
+  ["Sharpen", 2],
+] as const;
+const kEdgeModes = [
+  ["Keep here", 0],
+  ["Denoise here", 1],
+] as const;
 const kFallOffs = [
   ["smooth", "Smooth"],
   ["linear", "Linear"],
@@ -16,13 +25,11 @@ const kFallOffs = [
   ["constant", "Constant"],
 ] as const;
 
-export const hasLayers = (document: Document) =>
-  document.hasColours || document.bands.length > 0 || document.palette.length > 0;
-
 /** Returns what a brush of this session can paint, with the words of the window. */
 export function paintable(document: Document): [string, string][] {
   return [
     ["beta", "Gradient scale β"],
+    ["edges", "Strength of kept edges"],
     ...(document.hasColours ? ([["colour", "Gradient scale of colours"]] as [string, string][]) : []),
     ...document.bands.map((band, i): [string, string] => [`band:${i + 1}`, `Gain of ${band.details}`]),
     ...document.palette.map((one, i): [string, string] => [`curve:${i + 1}`, `Curve ${one.name}`]),
@@ -35,10 +42,11 @@ export function BrushPanel({ document }: PanelProps) {
   const disabled = isViewer(document);
   const paintsCurve = brush.paints.startsWith("curve:");
   const change = (part: Partial<Brush>) => link.send(command.brush({ ...brush, ...part }));
+  const modes = brush.paints === "edges" ? kEdgeModes : kModes;
   return (
     <>
       <Row>
-        {([["Smooth", 0], ["Restore", 1], ["Sharpen", 2]] as const).map(([label, beta]) => (
+        {modes.map(([label, beta]) => (
           <Button
             key={label}
             label={label}
@@ -48,16 +56,14 @@ export function BrushPanel({ document }: PanelProps) {
           />
         ))}
       </Row>
-      {hasLayers(document) && (
-        <Choice
-          name="Paints"
-          labelled
-          value={brush.paints}
-          choices={paintable(document)}
-          disabled={disabled}
-          onChange={(paints) => change({ paints })}
-        />
-      )}
+      <Choice
+        name="Paints"
+        labelled
+        value={brush.paints}
+        choices={paintable(document)}
+        disabled={disabled}
+        onChange={(paints) => change(paints === "edges" ? { paints, beta: 1 } : { paints })}
+      />
       {!paintsCurve && <PaintedValue {...{ document, change }} />}
       <Title text="Radius" note="in the scan's units" />
       <Slider
@@ -109,16 +115,19 @@ export function BrushPanel({ document }: PanelProps) {
 
 function PaintedValue(props: PanelProps & { change: (part: Partial<Brush>) => void }) {
   const brush = props.document.brush;
-  const name = brush.paints.startsWith("band:") ? "Painted gain" : "Painted β";
+  const paintsEdges = brush.paints === "edges";
+  const name = paintsEdges
+    ? "Painted strength"
+    : brush.paints.startsWith("band:") ? "Painted gain" : "Painted β";
   return (
     <>
       <Title text={name} />
       <Slider
         name={name}
         value={brush.beta}
-        scale={betaScale}
+        scale={paintsEdges ? linear(0, 1) : betaScale}
         format={short}
-        tone={betaTone(brush.beta)}
+        tone={paintsEdges ? undefined : betaTone(brush.beta)}
         disabled={isViewer(props.document)}
         onDone={(beta) => props.change({ beta })}
       />

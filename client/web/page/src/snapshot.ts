@@ -141,7 +141,7 @@ export interface Brush {
   strength: number;
   beta: number;
   fallOff: FallOff;
-  /** "beta", "colour", "band:2" or "curve:1". */
+  /** "beta", "edges", "colour", "band:2" or "curve:1". */
   paints: string;
   /** Paints through thin walls too. */
   through: boolean;

@@ -59,8 +59,7 @@ void Constraint::set_ratio(std::vector<double> ratio) {
 
 void Constraint::assemble(const FieldsView& fields, std::vector<Double3>& b,
                           std::vector<Double3>& r) {
-  take(fields.target);
-  const int64_t changed = take(fields.paint) + take_ratios();
+  const int64_t changed = take(fields.paint) + take_ratios() + take(fields.target);
   const double by = fields.gradient_scale - std::exchange(slider_, fields.gradient_scale);
   const auto few = static_cast<int64_t>(paint_.size()) / kFewCellsDivisor;
   const bool pins_are_new = std::exchange(pins_are_new_, false);
@@ -95,11 +94,24 @@ int64_t Constraint::take_stretch(const CellPaint& paint, size_t stretch) {
   return changed;
 }
 
-void Constraint::take(const TargetView& target) {
-  is_new_ |= target.is_active() != target_.is_active() ||
-             (target.is_active() &&
-              (target.version != target_.version || target.strength != target_.strength));
-  target_ = target;
+// Returns how many more cells have another part of the target's strength. All are new with another
+// target.
+int64_t Constraint::take(const TargetView& target) {
+  const TargetView before = std::exchange(target_, target);
+  if (target.is_same(before)) return 0;
+  TargetView of_before = target;
+  of_before.part_version = before.part_version;
+  is_new_ |= !of_before.is_same(before);
+  return take_part(target.is_active() ? target.part : std::span<const float>());
+}
+
+int64_t Constraint::take_part(std::span<const float> part) {
+  is_new_ |= part.size() != target_part_.size();
+  int64_t changed = 0;
+  for (size_t c = 0; !is_new_ && c < part.size(); ++c)
+    if (part[c] != target_part_[c]) changed += mark(static_cast<int32_t>(c));
+  target_part_.assign(part.begin(), part.end());
+  return changed;
 }
 
 void Constraint::set_signal(std::span<const Vec3f> signal) {
@@ -110,8 +122,7 @@ void Constraint::set_signal(std::span<const Vec3f> signal) {
 // Returns how many more cells have another ratio.
 int64_t Constraint::take_ratios() {
   int64_t changed = 0;
-  for (const int32_t cell : std::exchange(new_ratios_, {}))
-    changed += std::exchange(is_changed_[cell], uint8_t{1}) == 0;
+  for (const int32_t cell : std::exchange(new_ratios_, {})) changed += mark(cell);
   return changed;
 }
 
@@ -157,14 +168,15 @@ void Constraint::add_share(int32_t cell, const double* share, CornerSums& sums) 
   double scaled[3] = {share[0], share[1], share[2]};
   if (target_.is_active()) {
     const TargetGradient& target = target_.cells[cell];
+    const double strength = target_.strength_in(cell);
     for (int row = 0; row < 3; ++row) {
       double of_scale = 0, of_target = 0;
       for (int i = 0; i < 3; ++i) {
         of_scale += target.of_scale[3 * row + i] * share[i];
         of_target += target.of_target[3 * row + i] * share[i];
       }
-      scaled[row] += target_.strength * of_scale;
-      sums.own[row] += target_.strength * of_target;
+      scaled[row] += strength * of_scale;
+      sums.own[row] += strength * of_target;
     }
   }
   for (int axis = 0; axis < 3; ++axis) {
@@ -222,7 +234,7 @@ void Constraint::sum_changed(std::vector<Double3>& b, std::vector<Double3>& r) {
 
 uint64_t Constraint::byte_count() const {
   return bytes_of(ratio_) + bytes_of(signal_) + bytes_of(per_slider_) + bytes_of(is_pinned_) +
-         bytes_of(paint_) + bytes_of(has_paint_) + bytes_of(is_changed_);
+         bytes_of(paint_) + bytes_of(has_paint_) + bytes_of(is_changed_) + bytes_of(target_part_);
 }
 
 }  // namespace burnish::cpu

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "server/fields/alphas.h"
@@ -15,8 +16,9 @@ std::vector<double> ratios_of(const CellAlphas& alphas);
 
 /// b_I = Σ_c (β−1)(α2/α1 g¹ + α1/α2 g²)_I, the right-hand side for the displacement: Eq. 4's
 /// constraint less S c°; with a target, what TargetView says. It keeps the part of b that follows
-/// the slider, so a slider that moves sums nothing again. A dab sums its corners again. A new
-/// metric sums the corners of cells with another ratio of α, and those that are no longer pinned.
+/// the slider, so a slider that moves sums nothing again. A dab sums its corners again, also one of
+/// the target's strength. A new metric sums the corners of cells with another ratio of α, and those
+/// that are no longer pinned.
 class Constraint {
  public:
   /// Begins without paint and with β = 1 everywhere. Both arguments must live longer.
@@ -55,7 +57,9 @@ class Constraint {
   int64_t take(const CellPaint& paint);
   int64_t take_ratios();
   int64_t take_stretch(const CellPaint& paint, size_t stretch);
-  void take(const TargetView& target);
+  int64_t take(const TargetView& target);
+  int64_t take_part(std::span<const float> part);
+  bool mark(int32_t cell) { return std::exchange(is_changed_[cell], uint8_t{1}) == 0; }
   void add_share(int32_t cell, const double* share, CornerSums& sums) const;
   void share(int32_t cell, CellShare& out) const;
   void share_of_signal(int32_t cell, CellShare& out) const;
@@ -77,9 +81,10 @@ class Constraint {
   std::vector<uint8_t> is_pinned_;   // per corner, at its last sum
   std::vector<Paint> paint_;
   std::vector<uint8_t> has_paint_;   // per stretch of cells: a cell of it may have paint
-  std::vector<uint8_t> is_changed_;  // per cell: its paint or ratio is new
+  std::vector<uint8_t> is_changed_;  // per cell: its paint, ratio or part of the target is new
   bool is_painted_ = false;
-  TargetView target_;  // of the last assemble(); its cells are gone since
+  TargetView target_;               // of the last assemble(); its cells are gone since
+  std::vector<float> target_part_;  // of the last assemble(); empty: 1 in all
 };
 
 }  // namespace burnish::cpu

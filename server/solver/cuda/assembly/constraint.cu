@@ -85,7 +85,8 @@ __device__ CornerSums sum_led(const CellGradients& combined, const Eight& cells,
       g[axis] = shares[axis].at[a];
       if (a == 7) g[axis] += shares[axis].rest;
     }
-    add_led(target.cells[cells.at[a]], target.strength, g, weights.follow[a], weights.own[a], sums);
+    const double strength = target.strength * (target.part ? target.part[cells.at[a]] : 1);
+    add_led(target.cells[cells.at[a]], strength, g, weights.follow[a], weights.own[a], sums);
   }
   return sums;
 }

@@ -111,6 +111,7 @@ struct alignas(8) TargetMatrices {
 /// TargetView.
 struct NewTarget {
   const TargetMatrices* cells;  ///< null: there is no target
+  const float* part;            ///< of the strength, per cell; null: 1 in all
   double strength;
   bool is_new;  ///< cells may have other shares than before
 };
