@@ -15,6 +15,7 @@ constexpr uint64_t kPieceBytesPerCell = 48;
 constexpr uint64_t kStrengthBytes = sizeof(float);
 // Beside the layers of two filters: places, shares and moves of what is shown, which vertices pages
 // have, and where the scan's are.
+constexpr uint64_t kShownBytesPerTriangle = sizeof(uint8_t);  // whether it has turned
 constexpr uint64_t kShownBytesPerVertex = sizeof(Vec3d) + sizeof(Vec3f) + 6 * sizeof(uint32_t);
 
 Result<std::shared_ptr<const FilteredSurface>> filter_surface(const DenoiseSurface& surface,
@@ -76,8 +77,8 @@ uint64_t EdgeParts::byte_count() const {
 uint64_t predict_edge_bytes(const Multigrid& on) {
   const PreparedMesh& scan = *on.prepared;
   constexpr uint64_t kFilters = 2;  // one is made while the other is shown
-  const uint64_t per_triangle =
-      kSurfaceBytesPerTriangle + kWorkBytesPerTriangle + kFilters * sizeof(Vec3f);
+  const uint64_t per_triangle = kSurfaceBytesPerTriangle + kWorkBytesPerTriangle +
+                                kShownBytesPerTriangle + kFilters * sizeof(Vec3f);
   const uint64_t per_vertex =
       kWorkBytesPerVertex + kShownBytesPerVertex + kStrengthBytes + kFilters * sizeof(Vec3f);
   const uint64_t per_cell =

@@ -1,6 +1,7 @@
 #include "server/session/kept_edges.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "common/base/parallel.h"
 
@@ -97,32 +98,45 @@ TargetView KeptEdges::target() const {
   return {parts_->target, strength_.most(), version_, strength_.in_cells(), strength_.version()};
 }
 
-// Drops the layer of places around triangles that have turned. Returns whether there were any.
-bool KeptEdges::stop_turned(std::span<const Vec3d> positions, std::vector<float>& part) const {
+std::vector<uint8_t> KeptEdges::find_turned(std::span<const Vec3d> positions,
+                                            std::span<const float> shares) const {
   const WeldedSurface& welded = parts_->surface->welded;
   const std::vector<Vec3f>& layer = parts_->filtered->layer;
+  const std::span<const Vec3d> before = prepared_->vertices;
   const auto at = [&](uint32_t v) -> Vec3d {
-    return positions[v] + part[v] * layer[v].cast<double>();
+    return positions[v] + shares[v] * layer[v].cast<double>();
   };
-  bool any = false;
-  for (size_t t = 0; t < welded.triangle_count(); ++t) {
+  std::vector<uint8_t> is_turned(welded.triangle_count(), 0);
+#pragma omp parallel for schedule(static)
+  for (size_t t = 0; t < is_turned.size(); ++t) {
     if (!welded.is_surface(t)) continue;
     const auto& [a, b, c] = prepared_->triangles[t];
-    const auto& before = prepared_->vertices;
     const Vec3d was = (before[b] - before[a]).cross(before[c] - before[a]);
-    if (!(was.dot((at(b) - at(a)).cross(at(c) - at(a))) < 0)) continue;
-    for (const uint32_t place : welded.triangle(t)) {
-      any |= part[place] != 0;
-      part[place] = 0;
-    }
+    is_turned[t] = was.dot((at(b) - at(a)).cross(at(c) - at(a))) < 0;
   }
-  for (size_t v = 0; any && v < part.size(); ++v) part[v] = part[welded.place(v)];
-  return any;
+  return is_turned;
+}
+
+// Drops the layer of places around triangles that have turned. Returns whether there were any.
+bool KeptEdges::stop_turned(std::span<const Vec3d> positions, std::vector<float>& shares) const {
+  const WeldedSurface& welded = parts_->surface->welded;
+  const std::vector<uint8_t> is_turned = find_turned(positions, shares);
+  bool any = false;
+  for (size_t t = 0; t < is_turned.size(); ++t) {
+    if (!is_turned[t]) continue;
+    for (const uint32_t place : welded.triangle(t)) any |= std::exchange(shares[place], 0.0f) != 0;
+  }
+  if (!any) return false;
+#pragma omp parallel for schedule(static)
+  for (size_t v = 0; v < shares.size(); ++v)
+    if (const uint32_t place = welded.place(v); place != v) shares[v] = shares[place];
+  return true;
 }
 
 std::vector<float> KeptEdges::layer_shares() const {
   std::vector<float> shares(prepared_->vertices.size(), static_cast<float>(layer_share()));
   const std::span<const float> parts = strength_.at_vertices();
+#pragma omp parallel for schedule(static)
   for (size_t v = 0; v < parts.size(); ++v) shares[v] *= parts[v];
   return shares;
 }
@@ -138,15 +152,17 @@ std::vector<float> KeptEdges::layer_shares(std::span<const Vec3d> positions) con
 void KeptEdges::add_layer(std::span<Vec3d> positions) const {
   if (!is_on()) return;
   const std::vector<float> shares = layer_shares(positions);
+#pragma omp parallel for schedule(static)
   for (size_t v = 0; v < positions.size(); ++v)
     positions[v] += double{shares[v]} * parts_->filtered->layer[v].cast<double>();
 }
 
-std::vector<Vec3f> KeptEdges::layer(std::span<const Vec3d> positions) const {
+std::vector<Vec3f> KeptEdges::layer(std::span<const Vec3d> positions, double scale) const {
   const std::vector<float> shares = positions.empty() ? layer_shares() : layer_shares(positions);
   std::vector<Vec3f> moves(shares.size());
 #pragma omp parallel for schedule(static)
-  for (size_t v = 0; v < moves.size(); ++v) moves[v] = shares[v] * parts_->filtered->layer[v];
+  for (size_t v = 0; v < moves.size(); ++v)
+    moves[v] = static_cast<float>(scale) * shares[v] * parts_->filtered->layer[v];
   return moves;
 }
 

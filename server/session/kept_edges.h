@@ -55,8 +55,8 @@ class KeptEdges {
   /// degrees against the scan's with it. Shapes: one per vertex, file units.
   void add_layer(std::span<Vec3d> positions) const;
 
-  /// Returns what add_layer() adds. Without positions it leaves no triangle out.
-  std::vector<Vec3f> layer(std::span<const Vec3d> positions) const;
+  /// Returns what add_layer() adds, times `scale`. Without positions it leaves no triangle out.
+  std::vector<Vec3f> layer(std::span<const Vec3d> positions, double scale) const;
 
   uint64_t byte_count() const;
 
@@ -78,7 +78,9 @@ class KeptEdges {
   double layer_share() const { return is_on() ? strength_.most() * parts_->filter.crispness : 0; }
   std::vector<float> layer_shares() const;
   std::vector<float> layer_shares(std::span<const Vec3d> positions) const;
-  bool stop_turned(std::span<const Vec3d> positions, std::vector<float>& part) const;
+  std::vector<uint8_t> find_turned(std::span<const Vec3d> positions,
+                                   std::span<const float> shares) const;
+  bool stop_turned(std::span<const Vec3d> positions, std::vector<float>& shares) const;
 
   const std::shared_ptr<const PreparedMesh> prepared_;
   const int threads_;

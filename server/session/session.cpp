@@ -130,16 +130,15 @@ struct Session::State {
     return places;
   }
 
-  /// Makes the layer of frames. At rest it leaves out what exports leave out.
+  /// Makes the layer of frames, in cells. At rest it leaves out what exports leave out.
   void make_shown_layer(std::span<const Vec3f> displacement, bool at_rest) {
     const ShownLayer wanted{at_rest, at_rest ? looks : 0, at_rest ? cycles_since_change : 0};
     const TargetView target = edges.target();
     if (layer.size() == prepared->vertices.size() && wanted == shown_layer &&
         target.is_same(layer_target))
       return;
-    layer = edges.layer(at_rest ? vertices_at(displacement) : std::vector<Vec3d>());
-    const auto cells = static_cast<float>(1 / prepared->frame.cell_size);
-    for (Vec3f& move : layer) move *= cells;
+    layer = edges.layer(at_rest ? vertices_at(displacement) : std::vector<Vec3d>(),
+                        1 / prepared->frame.cell_size);
     shown_layer = wanted;
     layer_target = target;
   }
@@ -323,7 +322,9 @@ VertexLayer Session::layer(std::span<const Vec3f> displacement) {
   if (!state.edges.is_on()) return {};
   const double cap = state.edited.controls().cap / state.prepared->frame.cell_size;
   if (!state.edges.has_layer()) return {.moves = {}, .cap = cap};
-  state.make_shown_layer(displacement, is_settled(state.last));
+  // A drag that holds still is not at rest: what turns costs more than a frame to find.
+  const bool at_rest = is_settled(state.last) && state.previews.empty();
+  state.make_shown_layer(displacement, at_rest);
   return {state.layer, cap};
 }
 

@@ -80,7 +80,7 @@ TEST_F(OnADevice, KeptEdgesGiveTheSameBitsTwice) {
   const TriangleMesh mesh = noisy_part();
   const auto run = [&] {
     Filtered filtered(mesh, kDepthOfPart, {.backend = BackendKind::kCuda, .devices = 1});
-    return edit(filtered, mesh).after(4);
+    return edit(filtered, mesh).exact();
   };
   EXPECT_EQ(run(), run());
 }
@@ -90,14 +90,14 @@ TEST_F(OnADevice, KeptEdgesTakeMemoryThereWhileTheyAreOn) {
   const uint64_t matrices = sizeof(TargetGradient) * filtered.session().prepared().cells.size();
   const Solver& solver = filtered.session().solver();
   // The first edits make room there that stays.
-  filtered.alpha(20).beta(2).edges(machined(1)).after(1);
-  filtered.edges(machined(0)).after(1);
+  filtered.alpha(20).beta(2).edges(machined(1)).settled();
+  filtered.edges(machined(0)).settled();
   const uint64_t before = cuda_memory_used(), own = solver.byte_count();
-  filtered.edges(machined(1)).after(1);
-  filtered.edges(machined(0.5)).after(1);
+  filtered.edges(machined(1)).settled();
+  filtered.edges(machined(0.5)).settled();
   EXPECT_EQ(cuda_memory_used(), before + matrices);
   EXPECT_EQ(solver.byte_count(), own + matrices);
-  filtered.edges(machined(0)).after(1);
+  filtered.edges(machined(0)).settled();
   EXPECT_EQ(cuda_memory_used(), before);
 }
 
@@ -105,10 +105,10 @@ TEST_F(OnADevice, PaintedStrengthTakesFourBytesACellThere) {
   const TriangleMesh mesh = noisy_part();
   Filtered filtered(mesh, kDepthOfPart, {.backend = BackendKind::kCuda, .devices = 1});
   const Solver& solver = filtered.session().solver();
-  filtered.alpha(20).beta(2).edges(machined(1)).after(1);
+  filtered.alpha(20).beta(2).edges(machined(1)).settled();
   const uint64_t own = solver.byte_count();
   const Brush brush{.radius = 0.15 * filtered.diagonal(), .beta = 0, .edges = true};
-  filtered.paint({brush, {mesh.vertices[7]}}).after(1);
+  filtered.paint({brush, {mesh.vertices[7]}}).settled();
   EXPECT_EQ(solver.byte_count(), own + sizeof(float) * filtered.session().prepared().cells.size());
 }
 

@@ -1,10 +1,10 @@
 // The cost and the effect of the equaliser, the palette and kept edges. "layers": a gain's step and
 // a dab of a curve, beside a solve frame and a whole new metric of the painted scan. An update is a
 // frame without its cycle: fields, matrices and constraint. "edges": the whole filter, then frames
-// of a slider without and with kept edges, of their strength, and of a dab of it, each until the
-// displacement and the layer are there. "response": how much is left of a wave on a
-// sphere when one band is silent, beside the formula. The wave is that of the coordinates, which
-// are harmonics of order one.
+// of a drag of β without and with kept edges, of their strength, and of a dab of it, each until the
+// displacement and the layer are there. "response": how much is left of a wave on a sphere when one
+// band is silent, beside the formula. The wave is that of the coordinates, which are harmonics of
+// order one.
 
 #include <algorithm>
 #include <numbers>
@@ -101,7 +101,12 @@ Status measure(const BenchSystem& system, BackendKind backend, int threads, Benc
   return session->status();
 }
 
-/// Returns the milliseconds of a frame with an edit.
+/// Shows a change as a drag does.
+void drag(Session& session, PreviewChange change) {
+  session.previews().show(1, {"", "drag", std::move(change)});
+}
+
+/// Returns the milliseconds of a frame with a change.
 template <typename Apply>
 double measure_frame(Session& session, Apply&& apply) {
   return median_milliseconds(kFrames, 1, [&] {
@@ -113,7 +118,7 @@ double measure_frame(Session& session, Apply&& apply) {
 
 double measure_slider(Session& session) {
   double beta = 0.5;
-  return measure_frame(session, [&] { must_apply(session, SetGradientScale{beta += 0.01}); });
+  return measure_frame(session, [&] { drag(session, SetGradientScale{beta += 0.01}); });
 }
 
 double measure_strength_dab(Session& session) {
@@ -139,8 +144,9 @@ Status measure_edges(const BenchSystem& system, BackendKind backend, int threads
   const double beside = measure_slider(*session);
   const double strength = measure_frame(*session, [&] {
     edges.filter.strength -= 0.01;
-    must_apply(*session, edges);
+    drag(*session, edges);
   });
+  session->previews().drop(1);
   const double dab = measure_strength_dab(*session);
   table.add({system.name, std::string(session->solver().backend_name()),
              static_cast<double>(system.prepared->triangles.size()), 1e-3 * whole, plain, beside,
