@@ -32,14 +32,12 @@ struct EditedSession {
   uint64_t edits = 0;
 };
 
-/// Asks the scan's own noise, if the user leaves it to that, and says the answer. Without noise to
-/// speak of edges stay as they are.
+/// Asks the scan's own noise, if the user leaves it to that, and says the answer.
 Status propose(const std::string& scan, FilterChoice& choice, Connection& connection) {
   if (!choice.asks_for_proposal()) return Status::ok();
   ASSIGN_OR_RETURN(const EdgeProposal proposal, connection.propose_edges(scan, {}));
   std::cerr << text_of(proposal) << "\n";
-  choice.proposed_edges = proposal.filter;
-  if (!proposal.filter.is_on()) choice.keep_edges.clear();
+  choice.take(proposal);
   return Status::ok();
 }
 

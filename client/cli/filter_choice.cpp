@@ -137,7 +137,7 @@ static Status add_edges(const FilterChoice& choice, const ScanLengths& scan, Cha
     ASSIGN_OR_RETURN(const EdgePreset preset, find_edge_preset(choice.keep_edges));
     filter = preset.filter;
   }
-  if (filter.is_on()) filter.strength = choice.edge_strength.value_or(filter.strength);
+  filter.strength = choice.edge_strength.value_or(filter.strength);
   filter.edge_angle = choice.edge_angle.value_or(filter.edge_angle);
   filter.passes = choice.edge_passes.value_or(filter.passes);
   filter.crispness = choice.crispness.value_or(filter.crispness);

@@ -29,6 +29,11 @@ struct FilterChoice {
   /// Returns whether the edits depend on the scan.
   bool needs_scan() const { return wavelength || !preset.empty() || !keep_edges.empty(); }
   bool asks_for_proposal() const { return keep_edges == kAutoEdges; }
+  /// Keeps edges as the scan asks; without noise to speak of it changes nothing.
+  void take(const EdgeProposal& proposal) {
+    proposed_edges = proposal.filter;
+    if (!proposal.filter.is_on()) keep_edges.clear();
+  }
   bool keeps_edges() const { return !keep_edges.empty() && edge_strength.value_or(1) > 0; }
 };
 

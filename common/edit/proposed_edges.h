@@ -9,7 +9,7 @@ namespace burnish {
 /// The word for edges that are kept as the scan's own noise asks.
 inline constexpr const char* kAutoEdges = "auto";
 
-/// What a scan's own noise and edges ask for.
+/// The filter that a scan's own noise and edges ask for, and what was read from them.
 struct EdgeProposal {
   double noise = 0;      ///< deviation along the normals of the flatter parts, file units
   double mean_edge = 0;  ///< file units

@@ -47,6 +47,10 @@ TEST_F(FilterCommand, TheScansOwnNoiseSaysHowEdgesAreKept) {
   ASSERT_EQ(burnish({"filter", in(), out(), "--keep-edges", "auto"}), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("too little to take away"));
   EXPECT_EQ(read_mesh(out())->vertices, read_mesh(in())->vertices);
+  ASSERT_EQ(burnish({"filter", in(), out(), "--beta", "2"}), 0) << output_;
+  const auto plain = read_mesh(out())->vertices;
+  ASSERT_EQ(burnish({"filter", in(), out(), "--beta", "2", "--keep-edges", "auto"}), 0) << output_;
+  EXPECT_EQ(read_mesh(out())->vertices, plain);
 }
 
 TEST_F(FilterCommand, WordsOfKeptEdgesAreChecked) {
