@@ -82,8 +82,10 @@ std::vector<Pass> passes_of(bool is_interlaced) {
   if (!is_interlaced) return {Pass{}};
   std::vector<Pass> passes;
   for (int p = 0; p < PNG_INTERLACE_ADAM7_PASSES; ++p)
-    passes.push_back({PNG_PASS_START_ROW(p), PNG_PASS_ROW_OFFSET(p), PNG_PASS_START_COL(p),
-                      PNG_PASS_COL_OFFSET(p)});
+    passes.push_back({.first_row = static_cast<uint32_t>(PNG_PASS_START_ROW(p)),
+                      .row_step = static_cast<uint32_t>(PNG_PASS_ROW_OFFSET(p)),
+                      .first = static_cast<uint32_t>(PNG_PASS_START_COL(p)),
+                      .step = static_cast<uint32_t>(PNG_PASS_COL_OFFSET(p))});
   return passes;
 }
 
