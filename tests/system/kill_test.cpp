@@ -37,6 +37,7 @@ constexpr int kEditors = 5;  // shared out to the sessions in turn
 struct Return {
   double listening_s, back_s;  // since the start of the new process
   size_t edits;                // edits in the histories of all sessions
+  size_t forks;                // of a session that was edited
   size_t races;                // races: two clients opened one new session, and the second was told
 };
 
@@ -49,12 +50,13 @@ class KilledServer {
  public:
   KilledServer(int vertices, uint32_t seed) : random_(seed) {
     spill_soon();
-    const TriangleMesh mesh =
-        generate_scan({"tablet", static_cast<uint64_t>(vertices), seed}).value();
+    TriangleMesh mesh = generate_scan({"tablet", static_cast<uint64_t>(vertices), seed}).value();
+    mesh.colours.assign(mesh.vertices.size(), {200, 120, 60, 255});
     const fs::path scan = server_.folder / "scan.ply";
     EXPECT_TRUE(write_mesh(mesh, scan).is_ok());
     EXPECT_TRUE(connect().import_scan(scan, "scan", {}, {}).is_ok());
-    EditorPlace place{server_.address, "", {}, 0, {}, 0.05 * (mesh.vertices.front()).norm()};
+    EditorPlace place{.address = server_.address,
+                      .brush_radius = 0.05 * mesh.vertices.front().norm()};
     for (int i = 0; i < 50; ++i)
       place.surface.push_back(mesh.vertices[random_() % mesh.vertices.size()]);
     Connection connection = connect();
@@ -63,11 +65,12 @@ class KilledServer {
       place.depth = connection.open_session({"scan", session}).value().session.key.depth;
     for (int i = 0; i < kEditors; ++i) {
       place.session = kSessions[i % kSessions.size()];
+      place.has_bands = place.session == kSessions.front();
       editors_[place.session].push_back(
           std::make_unique<RestlessEditor>(place, "user" + std::to_string(i), random_()));
     }
     server_.listen = server_.address;
-    openers_ = std::make_unique<RestlessOpeners>(server_.address, "scan", random_());
+    openers_ = std::make_unique<RestlessOpeners>(server_.address, "scan", a_cell(), random_());
     other_scan_ = write_sphere(server_.folder, 5);
     wait_until_back();
   }
@@ -88,13 +91,14 @@ class KilledServer {
       server_.start();
     }
     wait_until_back();
-    Return taken{listening_s, seconds_since(begin), 0, 0};
+    Return taken{listening_s, seconds_since(begin), 0, 0, 0};
     for_each_editor([](RestlessEditor& editor) { ASSERT_TRUE(editor.wait_until_answered()); });
     check_histories();
     EXPECT_THAT(openers_->broken_promises(), testing::IsEmpty());
     check_scans();
     for_each_editor([&](const RestlessEditor& editor) { taken.edits += editor.applied(); });
     taken.edits += openers_->acknowledged();
+    taken.forks = openers_->forks();
     taken.races = openers_->told();
     return taken;
   }
@@ -159,6 +163,14 @@ class KilledServer {
   }
 
   Connection connect() { return Connection::open(server_.address, kPatience).value(); }
+
+  /// Returns a cell of the scan's only preparation.
+  Vec3i a_cell() {
+    for (const auto& file : fs::recursive_directory_iterator(server_.folder / "data" / "scans"))
+      if (file.path().parent_path().filename() == "prepared")
+        return morton_point(read_prepared_mesh(file.path()).value()->cells.front());
+    return Vec3i::Zero();
+  }
 
   template <typename What>
   void for_each_editor(What what) {
@@ -293,7 +305,7 @@ TEST(KilledServer, LosesAndDoublesNoAcknowledgedEditAndComesBack) {
   const int rounds = number_from_environment("BURNISH_KILL_ROUNDS", 5);
   const int vertices = number_from_environment("BURNISH_KILL_VERTICES", 2000);
   std::vector<double> listening, back;
-  size_t edits = 0, races = 0;
+  size_t edits = 0, forks = 0, races = 0;
   std::unique_ptr<KilledServer> server;
   for (int i = 0; i < rounds && !HasFailure(); ++i) {
     if (i % kRoundsPerServer == 0) server = std::make_unique<KilledServer>(vertices, 1 + i);
@@ -303,12 +315,14 @@ TEST(KilledServer, LosesAndDoublesNoAcknowledgedEditAndComesBack) {
     if (i < rounds - 1 && (i + 1) % kRoundsPerServer != 0) continue;
     server->check_fields();
     edits += taken.edits;
+    forks += taken.forks;
     races += taken.races;
   }
   EXPECT_GT(edits, 0u);
   // In a few rounds it can happen that no race is won.
   if (rounds >= kRoundsPerServer) {
     EXPECT_GT(races, 0u);
+    EXPECT_GT(forks, 0u);
   }
   const auto print = [](const char* what, std::vector<double> seconds) {
     std::sort(seconds.begin(), seconds.end());
@@ -317,7 +331,7 @@ TEST(KilledServer, LosesAndDoublesNoAcknowledgedEditAndComesBack) {
   };
   std::cout << back.size() << " rounds, " << vertices << " vertices, " << kEditors << " editors in "
             << kSessions.size() << " sessions, " << edits << " edits, each of them there once, "
-            << races << " sessions opened by two at once\n";
+            << forks << " forks, " << races << " sessions opened by two at once\n";
   print("listening", listening);
   print("everybody back and shown a frame", back);
 }

@@ -23,25 +23,51 @@ RestlessEditor::RestlessEditor(const EditorPlace& place, const std::string& user
   EXPECT_TRUE(link_->show_pages({place.pages.pages.back()}, {}).is_ok());
 }
 
-Edit RestlessEditor::next_edit() {
-  const std::string id = user_ + "-" + std::to_string(sent_.size());
+// Leaves out edits that switch others' entries: the book of an author knows only its own. Nothing
+// is protected, because a stroke there is refused.
+decltype(Edit::change) RestlessEditor::next_change() {
   const auto upto = [this](double top) {
     return std::uniform_real_distribution<double>(0, top)(random_);
   };
-  switch (random_() % 8) {
+  switch (random_() % 20) {
     case 0:
-      return {id, SetGradientScale{upto(2)}};
     case 1:
-      return {id, SetTransferCurve{TransferCurve(5 + upto(50))}};
+      return SetGradientScale{upto(2)};
     case 2:
-      return {id, Undo{}};
+      return SetTransferCurve{TransferCurve(5 + upto(50))};
     case 3:
-      return {id, Redo{}};
-    default: {
-      const Vec3d& centre = place_.surface[random_() % place_.surface.size()];
-      return {id, Stroke{{.radius = place_.brush_radius, .beta = upto(3)}, {centre}}};
-    }
+    case 4:
+      return Undo{};
+    case 5:
+    case 6:
+      return Redo{};
+    case 7:
+      return SetControls{{.pin_rims = random_() % 2 == 0, .cap = place_.brush_radius + upto(1)}};
+    case 8:
+      return SetPalette{{{{"grooves", 0x112233, TransferCurve(5 + upto(50))}}}};
+    case 9:
+      return SetColour{{5 + upto(50), upto(2)}};
+    case 10:
+      return Protect{NoRegion{}};
+    case 11:  // a session has bands or kept edges
+      if (place_.has_bands) return SetEqualiser{{{{place_.brush_radius, upto(2)}}}};
+      return SetEdges{{.strength = upto(1), .passes = 1 + static_cast<int>(random_() % 5)}};
+    default:
+      return stroke(upto(1));
   }
+}
+
+Stroke RestlessEditor::stroke(double value) {
+  const Vec3d& centre = place_.surface[random_() % place_.surface.size()];
+  Brush brush{.radius = place_.brush_radius, .beta = value};
+  const auto painted = random_() % 6;
+  brush.colour = painted == 1;
+  brush.edges = painted == 2 && !place_.has_bands;
+  return {brush, {centre}};
+}
+
+Edit RestlessEditor::next_edit() {
+  return {user_ + "-" + std::to_string(sent_.size()), next_change()};
 }
 
 void RestlessEditor::edit() {

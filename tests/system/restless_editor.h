@@ -20,10 +20,11 @@ struct EditorPlace {
   int depth = 0;
   std::vector<Vec3d> surface;  ///< points of the scan to paint on, file units
   double brush_radius = 0;     ///< file units
+  bool has_bands = false;      ///< else it keeps edges: a session has one of them
 };
 
-/// An editor that strokes, slides, bends the curve, undoes and redoes without a pause, and records
-/// each sent edit and its answer.
+/// An editor that sends edits of all kinds that are live, undoes and redoes without a pause, and
+/// records each sent edit and its answer.
 class RestlessEditor {
  public:
   RestlessEditor(const EditorPlace& place, const std::string& user, uint32_t seed);
@@ -53,6 +54,8 @@ class RestlessEditor {
 
  private:
   struct Book;
+  decltype(Edit::change) next_change();
+  Stroke stroke(double value);
   Edit next_edit();
   void take_answer(const std::vector<std::string>& ids, std::set<std::string>& answered);
   bool is_certain(const std::string& edit_id) const;

@@ -1,6 +1,7 @@
 #include "tests/system/restless_openers.h"
 
 #include <algorithm>
+#include <functional>
 #include <set>
 
 #include "common/base/check.h"
@@ -65,8 +66,9 @@ std::set<std::string> session_names(v1::Editing::Stub& stub) {
 
 }  // namespace
 
-RestlessOpeners::RestlessOpeners(std::string address, std::string scan, uint32_t seed)
-    : address_(std::move(address)), scan_(std::move(scan)), random_(seed) {
+RestlessOpeners::RestlessOpeners(std::string address, std::string scan, const Vec3i& cell,
+                                 uint32_t seed)
+    : address_(std::move(address)), scan_(std::move(scan)), cell_(cell), random_(seed) {
   const auto stub = v1::Editing::NewStub(wire_channel(address_));
   const grpc::Status opened = open(*stub, wish(scan_, kApplied), kPatience);
   BURNISH_CHECK(opened.ok(), opened.error_message());
@@ -91,7 +93,23 @@ void RestlessOpeners::run(Stub& stub) {
     if (apply(stub, kApplied, "edit-" + std::to_string(edits_))) ++edits_;
     if (random_() % 8 == 0) forge(stub);
     if (random_() % 8 == 0) race(stub);
+    if (random_() % 8 == 0) fork(stub);
   }
+}
+
+// A fork has the edits that were acknowledged before, perhaps one more.
+void RestlessOpeners::fork(Stub& stub) {
+  const std::string session = "fork-" + std::to_string(forks_++);
+  v1::ForkSessionRequest request;
+  request.set_session(kApplied);
+  request.set_name(session);
+  const std::vector<std::string> edits = acknowledged_[kApplied];
+  grpc::ClientContext context;
+  set_deadline(context, kNoHurry);
+  v1::ForkSessionResponse response;
+  if (!stub.ForkSession(&context, request, &response).ok()) return;
+  forked_.insert(session);
+  acknowledged_[session] = edits;
 }
 
 void RestlessOpeners::race(Stub& stub) {
@@ -130,7 +148,17 @@ bool RestlessOpeners::apply(Stub& stub, const std::string& session, const std::s
   request.set_session(session);
   v1::Edit* edit = request.add_edits();
   edit->set_id(edit_id);
-  edit->mutable_gradient_scale()->set_beta(0.5);
+  if (std::hash<std::string>()(edit_id) % 2 == 0) {  // the same when it is sent again
+    edit->mutable_gradient_scale()->set_beta(0.5);
+  } else {
+    v1::CellField& field = *edit->mutable_cell_fields()->add_cells();
+    field.set_i(cell_.x());
+    field.set_j(cell_.y());
+    field.set_k(cell_.z());
+    field.set_alpha1(20);
+    field.set_alpha2(30);
+    field.set_beta(0.5);
+  }
   grpc::ClientContext context;
   set_deadline(context, kNoHurry);
   v1::ApplyResponse response;
@@ -145,6 +173,8 @@ std::vector<std::string> RestlessOpeners::broken_promises() const {
   const std::set<std::string> there = session_names(*stub);
   for (const std::string& session : told_)
     if (!there.contains(session)) broken.push_back("session " + session + " is gone");
+  for (const std::string& session : forked_)
+    if (!there.contains(session)) broken.push_back("fork " + session + " is gone");
   for (const auto& [session, edits] : acknowledged_) {
     const std::multiset<std::string> found = edit_ids(*stub, session);
     for (const std::string& edit : edits)
@@ -159,7 +189,8 @@ std::vector<std::string> RestlessOpeners::broken_promises() const {
 
 size_t RestlessOpeners::acknowledged() const {
   size_t edits = 0;
-  for (const auto& [session, ids] : acknowledged_) edits += ids.size();
+  for (const auto& [session, ids] : acknowledged_)
+    if (!forked_.contains(session)) edits += ids.size();
   return edits;
 }
 

@@ -10,16 +10,17 @@
 #include <vector>
 
 #include "burnish/v1/editing.grpc.pb.h"
+#include "common/base/types.h"
 
 namespace burnish {
 
 /// Opens sessions without a pause. Two clients at once open the same new session, and the first
-/// gives up at a random moment. Others ask for names that are ids; one edits by Apply. Records what
-/// the server has acknowledged.
+/// gives up at a random moment. Others ask for names that are ids; one edits by Apply, and forks
+/// its session. Records what the server has acknowledged.
 class RestlessOpeners {
  public:
-  /// Opens the session of the Apply loop.
-  RestlessOpeners(std::string address, std::string scan, uint32_t seed);
+  /// Opens the session of the Apply loop. Shapes: `cell` is active, grid units.
+  RestlessOpeners(std::string address, std::string scan, const Vec3i& cell, uint32_t seed);
   ~RestlessOpeners() { stop(); }
 
   /// Opens and edits in its own thread until stop(), even if the server dies.
@@ -34,6 +35,7 @@ class RestlessOpeners {
   /// told.
   size_t told() const { return told_.size(); }
   size_t acknowledged() const;
+  size_t forks() const { return forked_.size(); }
 
  private:
   using Stub = v1::Editing::Stub;
@@ -41,15 +43,17 @@ class RestlessOpeners {
   void race(Stub& stub);
   void join(Stub& stub, const std::string& session);
   void forge(Stub& stub);
+  void fork(Stub& stub);
   bool apply(Stub& stub, const std::string& session, const std::string& edit_id);
 
   const std::string address_, scan_;
+  const Vec3i cell_;
   std::mt19937 random_;
   std::thread thread_;
   std::atomic<bool> stopping_{false};
 
-  int races_ = 0, edits_ = 0;
-  std::set<std::string> told_;                                    // sessions
+  int races_ = 0, edits_ = 0, forks_ = 0;
+  std::set<std::string> told_, forked_;                           // sessions
   std::map<std::string, std::vector<std::string>> acknowledged_;  // edits by session
   std::vector<std::string> wrongly_opened_;
 };
