@@ -28,14 +28,13 @@ Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorde
       tasks_(tasks),
       log_(log),
       recorder_(recorder),
-      wake_(options.wake),
       settings_(opened_.state.settings),
       curve_(kappa_range(opened_.scan), settings_.curve, alpha_max(opened_.scan)),
       history_(std::move(opened_.history)),
       edits_known_(opened_.session.edits),
       told_{edits_known_, settings_},
-      measuring_(opened_.connection, opened_.session.id, tasks, log, options.wake),
-      noise_(opened_.connection, opened_.session.scan_id, tasks, log, options.wake) {
+      measuring_(opened_.connection, opened_.session.id, tasks, log),
+      noise_(opened_.connection, opened_.session.scan_id, tasks, log) {
   take_rims(opened_.state);
   if (has_colours()) colour_ = ColourBy::kScan;
   welcome_.session = opened_.session;
@@ -47,13 +46,13 @@ Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorde
   live.head = opened_.pages.head;
   live.depth = depth();
   live.pages_fingerprint = opened_.pages.fingerprint;
-  live.on_news = wake_;
+  live.on_news = options.wake;
   live.clock = options.clock;
   live_ = make_live_link(*opened_.connection, std::move(live));
   auto source = make_page_source(
       *opened_.connection,
-      {opened_.pages.scan, opened_.pages.fingerprint, std::move(options.pages), wake_});
-  SurfaceOptions shown{options.budget, options.is_software, wake_, options.clock};
+      {opened_.pages.scan, opened_.pages.fingerprint, std::move(options.pages), options.wake});
+  SurfaceOptions shown{options.budget, options.is_software, options.wake, options.clock};
   surface_ = std::make_unique<PagedSurface>(std::move(opened_.pages), depth(), std::move(source),
                                             *live_, std::move(shown));
   surface_->show_colours(has_colours());
@@ -202,11 +201,9 @@ void Document::name_unit(const std::string& unit) {
   const Status checked = check_unit(unit);
   if (!checked.is_ok()) return log_.failure("unit", checked);
   tasks_.start([this, alive = std::weak_ptr(alive_), connection = opened_.connection,
-                scan = opened_.session.scan_id, unit,
-                wake = wake_](StopToken) -> Tasks::Completion {
+                scan = opened_.session.scan_id, unit](StopToken) -> Tasks::Completion {
     connection->bring_back();
     const auto named = connection->set_scan_unit(scan, unit);
-    wake();
     return [this, alive, named] {
       if (alive.expired()) return;
       if (!named.is_ok()) return log_.failure("unit", named.status());

@@ -247,7 +247,6 @@ class Document {
   Tasks& tasks_;
   MessageLog& log_;
   Recorder& recorder_;
-  std::function<void()> wake_;
 
   Settings settings_;  // as the user or the session set them last
   CurveEditor curve_;
@@ -296,7 +295,7 @@ class Document {
   ScanNoise noise_;
   bool waits_for_noise_ = false;  // the edges that it proposes will be kept
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  // completions may outlive us
-  std::unique_ptr<LiveLink> live_;                              // its thread calls wake_
+  std::unique_ptr<LiveLink> live_;                              // its thread calls the wake
   std::unique_ptr<PagedSurface> surface_;                       // last: it uses live_
 };
 

@@ -39,11 +39,9 @@ void Document::renew_pages() {
   if (!damage || std::exchange(is_renewing_pages_, true)) return;
   log_.warning("the server makes the pages of the scan again: " + damage->message());
   tasks_.start([this, alive = std::weak_ptr(alive_), connection = opened_.connection,
-                scan = opened_.session.scan_id,
-                wake = wake_](const StopToken& stop) -> Tasks::Completion {
+                scan = opened_.session.scan_id](const StopToken& stop) -> Tasks::Completion {
     const auto goes_on = [&](std::string_view, double) { return !stop.stop_requested(); };
     const Status made = connection->describe_pages(scan, goes_on).status();
-    wake();
     return [this, alive, made] {
       if (alive.expired()) return;
       is_renewing_pages_ = false;
@@ -140,13 +138,11 @@ void Document::refresh_history() {
   history_fetch_->running = true;
   const bool asks_rims = !rims_ && told_.settings.controls.pin_rims;
   tasks_.start([this, alive = std::weak_ptr(alive_), connection = opened_.connection,
-                session = opened_.session.id, asks_rims,
-                wake = wake_](StopToken) -> Tasks::Completion {
+                session = opened_.session.id, asks_rims](StopToken) -> Tasks::Completion {
     connection->bring_back();
     auto history = connection->history(session);
     std::optional<Result<SessionState>> state;
     if (asks_rims) state = connection->state(session);
-    wake();
     return [this, alive, history = std::move(history), state = std::move(state)] {
       if (alive.expired()) return;
       history_fetch_->running = false;

@@ -45,7 +45,7 @@ void Document::fetch_over() {
   fetched_over_.insert(missing.begin(), missing.end());  // not again if it fails
   tasks_.start([this, alive = std::weak_ptr(alive_), connection = opened_.connection,
                 session = opened_.session.id, pages = std::move(missing), over,
-                version = over_version_, wake = wake_](StopToken) -> Tasks::Completion {
+                version = over_version_](StopToken) -> Tasks::Completion {
     connection->bring_back();
     const auto ask = [&](bool is_asked, CellValue value) -> Result<std::vector<PageValues>> {
       if (!is_asked) return std::vector<PageValues>();
@@ -53,7 +53,6 @@ void Document::fetch_over() {
     };
     auto held = ask(over.protection, CellValue::kProtected);
     auto ruled = ask(over.curves, CellValue::kCurve);
-    wake();
     return [this, alive, over, held = std::move(held), ruled = std::move(ruled), version] {
       if (alive.expired()) return;
       is_fetching_over_ = false;
@@ -74,6 +73,7 @@ void Document::take_over(const Over& over, const Result<std::vector<PageValues>>
   for (size_t p = 0; p < pages; ++p) {
     const PageId page = over.protection ? (*held)[p].page : (*ruled)[p].page;
     const auto vertices = surface_->vertex_count(page);
+    if (!vertices) fetched_over_.erase(page);  // it has left meanwhile, and may come back
     if (!vertices || (over.protection && !is_one_per_vertex((*held)[p], *vertices)) ||
         (over.curves && !is_one_per_vertex((*ruled)[p], *vertices)))
       continue;

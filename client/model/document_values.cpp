@@ -41,13 +41,12 @@ void Document::fetch_values() {
   fetched_.insert(missing.begin(), missing.end());  // not again if it fails
   tasks_.start([this, alive = std::weak_ptr(alive_), connection = opened_.connection,
                 session = opened_.session.id, pages = std::move(missing), colour = colour_,
-                version = values_version_, wake = wake_](StopToken) -> Tasks::Completion {
+                version = values_version_](StopToken) -> Tasks::Completion {
     connection->bring_back();
     const bool is_beta = colour == ColourBy::kBeta;
     auto first =
         connection->page_values(session, is_beta ? CellValue::kBeta : CellValue::kKappa1, pages);
     auto second = is_beta ? first : connection->page_values(session, CellValue::kKappa2, pages);
-    wake();
     return [this, alive, first = std::move(first), second = std::move(second), version] {
       if (alive.expired()) return;
       is_fetching_values_ = false;
@@ -65,6 +64,7 @@ void Document::take_values(const Result<std::vector<PageValues>>& first,
     const PageValues& one = (*first)[p];
     const PageValues& other = (*second)[p];
     const auto vertices = surface_->vertex_count(one.page);
+    if (!vertices) fetched_.erase(one.page);  // it has left meanwhile, and may come back
     if (!vertices || !has_values_of(one, *vertices) || !has_values_of(other, *vertices)) continue;
     std::vector<int8_t> marks(*vertices);
     for (size_t v = 0; v < marks.size(); ++v) {

@@ -5,22 +5,17 @@
 namespace burnish {
 
 Measuring::Measuring(std::shared_ptr<Connection> connection, std::string session, Tasks& tasks,
-                     MessageLog& log, std::function<void()> wake)
-    : connection_(std::move(connection)),
-      session_(std::move(session)),
-      tasks_(tasks),
-      log_(log),
-      wake_(std::move(wake)) {}
+                     MessageLog& log)
+    : connection_(std::move(connection)), session_(std::move(session)), tasks_(tasks), log_(log) {}
 
 void Measuring::follow_deviation(const Shown& shown) {
   if (is_measuring_ || !shown.is_settled || measured_edits_ == shown.edits) return;
   is_measuring_ = true;
   measured_edits_ = shown.edits;
-  tasks_.start([this, alive = std::weak_ptr(alive_), connection = connection_, session = session_,
-                wake = wake_](StopToken) -> Tasks::Completion {
+  tasks_.start([this, alive = std::weak_ptr(alive_), connection = connection_,
+                session = session_](StopToken) -> Tasks::Completion {
     connection->bring_back();
     const auto measured = connection->deviation(session);
-    wake();
     return [this, alive, measured] {
       if (alive.expired()) return;
       is_measuring_ = false;
@@ -49,11 +44,9 @@ void Measuring::follow_section(const Shown& shown) {
   is_cutting_ = true;
   cut_edits_ = shown.is_settled ? std::optional(shown.edits) : std::optional<uint64_t>(0);
   tasks_.start([this, alive = std::weak_ptr(alive_), connection = connection_, cut = cuts_,
-                wish = SectionWish{session_, *plane_},
-                wake = wake_](StopToken) -> Tasks::Completion {
+                wish = SectionWish{session_, *plane_}](StopToken) -> Tasks::Completion {
     connection->bring_back();
     const auto section = connection->section(wish);
-    wake();
     return [this, alive, cut, section] {
       if (alive.expired()) return;
       is_cutting_ = false;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,7 +19,7 @@ class Measuring {
  public:
   /// Needs: `tasks` and `log` outlive this.
   Measuring(std::shared_ptr<Connection> connection, std::string session, Tasks& tasks,
-            MessageLog& log, std::function<void()> wake);
+            MessageLog& log);
 
   /// The surface that the window shows.
   struct Shown {
@@ -51,7 +50,6 @@ class Measuring {
   std::string session_;
   Tasks& tasks_;
   MessageLog& log_;
-  std::function<void()> wake_;
 
   std::optional<SessionDeviation> deviation_;
   std::optional<uint64_t> measured_edits_;  // of the last question

@@ -5,21 +5,16 @@
 namespace burnish {
 
 ScanNoise::ScanNoise(std::shared_ptr<Connection> connection, std::string scan, Tasks& tasks,
-                     MessageLog& log, std::function<void()> wake)
-    : connection_(std::move(connection)),
-      scan_(std::move(scan)),
-      tasks_(tasks),
-      log_(log),
-      wake_(std::move(wake)) {}
+                     MessageLog& log)
+    : connection_(std::move(connection)), scan_(std::move(scan)), tasks_(tasks), log_(log) {}
 
 void ScanNoise::ask() {
   if (proposal_ || std::exchange(is_asking_, true)) return;
-  tasks_.start([this, alive = std::weak_ptr(alive_), connection = connection_, scan = scan_,
-                wake = wake_](const StopToken& stop) -> Tasks::Completion {
+  tasks_.start([this, alive = std::weak_ptr(alive_), connection = connection_,
+                scan = scan_](const StopToken& stop) -> Tasks::Completion {
     const auto goes_on = [&](std::string_view, double) { return !stop.stop_requested(); };
     connection->bring_back(goes_on);
     const auto proposal = connection->propose_edges(scan, goes_on);
-    wake();
     return [this, alive, proposal] {
       if (alive.expired()) return;
       is_asking_ = false;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,8 +15,8 @@ namespace burnish {
 class ScanNoise {
  public:
   /// Needs: `tasks` and `log` outlive this.
-  ScanNoise(std::shared_ptr<Connection> connection, std::string scan, Tasks& tasks, MessageLog& log,
-            std::function<void()> wake);
+  ScanNoise(std::shared_ptr<Connection> connection, std::string scan, Tasks& tasks,
+            MessageLog& log);
 
   /// Asks unless the answer is known or on its way. The log has a failure, and the next call asks
   /// again.
@@ -31,7 +30,6 @@ class ScanNoise {
   std::string scan_;
   Tasks& tasks_;
   MessageLog& log_;
-  std::function<void()> wake_;
   bool is_asking_ = false;
   std::optional<EdgeProposal> proposal_;
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  // completions may outlive us

@@ -18,7 +18,7 @@ struct Tasks::Running {
   std::thread thread;
 };
 
-Tasks::Tasks() = default;
+Tasks::Tasks(std::function<void()> on_end) : on_end_(std::move(on_end)) {}
 
 Tasks::~Tasks() {
   for (const auto& task : running_) task->asked->store(true);
@@ -26,9 +26,10 @@ Tasks::~Tasks() {
 
 void Tasks::start(Work work) {
   Running* const task = running_.emplace_back(std::make_shared<Running>()).get();
-  task->thread = std::thread([task, work = std::move(work)] {
+  task->thread = std::thread([task, work = std::move(work), on_end = on_end_] {
     task->completion = work(StopToken(task->asked));
     task->ended.store(true, std::memory_order_release);
+    on_end();  // after it: an owner that is told before finds nothing, and rests
   });
 }
 

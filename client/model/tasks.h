@@ -28,7 +28,8 @@ class Tasks {
   /// Ends soon after the token asks for it. Must not touch data of the owner's thread.
   using Work = std::function<Completion(StopToken)>;
 
-  Tasks();
+  /// `on_end`: called from any thread when drain() has a result to handle. Must not block.
+  explicit Tasks(std::function<void()> on_end = [] {});
   /// Asks all work to stop, waits for it, and drops the results. In a browser it does not wait.
   ~Tasks();
   Tasks(const Tasks&) = delete;
@@ -42,6 +43,7 @@ class Tasks {
   bool is_idle() const { return running_.empty(); }
 
  private:
+  std::function<void()> on_end_;
   struct Running;  // tasks.cpp; client/web/core/host/tasks_on_stacks.cpp
   std::list<std::shared_ptr<Running>> running_;
 };

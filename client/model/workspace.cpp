@@ -5,8 +5,10 @@
 namespace burnish {
 
 Workspace::Workspace(PageRenderer& renderer, Preferences remembered, WorkspaceOptions options)
-    : preferences(std::move(remembered)), renderer_(renderer), options_(std::move(options)) {
-  if (!options_.wake) options_.wake = [] {};
+    : preferences(std::move(remembered)),
+      renderer_(renderer),
+      options_(std::move(options)),
+      tasks_(options_.wake) {
   viewport.options.lighting = preferences.lighting;
 }
 
@@ -39,7 +41,6 @@ void Workspace::start_activity(const std::shared_ptr<Activity>& activity, Step s
       wake();
       return go_on;
     });
-    wake();
     return [this, activity, completion = std::move(completion)] {
       std::erase(activities_, activity);
       completion();
@@ -77,7 +78,6 @@ void Workspace::connect(const KnownServer& wanted) {
                 user = wanted.user.empty() ? preferences.user
                                            : wanted.user](StopToken) -> Tasks::Completion {
     auto opened = std::make_shared<Result<Connection>>(open_as_user(server, timeout, trust, user));
-    wake();
     return [this, server, opened] {
       if (library_.server == server) take_connection(std::move(*opened));
     };

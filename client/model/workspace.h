@@ -27,7 +27,7 @@ struct WorkspaceOptions {
   bool is_software = false;                      ///< pictures are drawn without a graphics card
   bool shows_raw = false;                        ///< a file is shown before it is imported
   std::filesystem::path pages;                   ///< folder that keeps fetched pages; empty: none
-  std::function<void()> wake;                    ///< called from any thread when update() has work
+  std::function<void()> wake = [] {};            ///< called from any thread when update() has work
   Clock clock = std::chrono::steady_clock::now;  ///< used by the server link
 };
 

@@ -25,7 +25,6 @@ void Workspace::refresh_library() {
     connection->bring_back();
     auto scans = connection->list_scans();
     auto sessions = connection->list_sessions();
-    wake();
     return [this, connection, scans = std::move(scans), sessions = std::move(sessions)] {
       if (connection != connection_) return;
       if (!scans.is_ok()) return log.failure("list of scans", scans.status());
@@ -132,7 +131,6 @@ void Workspace::change_library(const std::string& what, std::function<Status(Con
                 change = std::move(change)](StopToken) -> Tasks::Completion {
     connection->bring_back();
     const Status status = change(*connection);
-    wake();
     return [this, what, status] {
       if (!status.is_ok()) log.failure(what, status);
       refresh_library();

@@ -69,7 +69,6 @@ void Workspace::join_by_name(const std::string& session) {
   tasks_.start([this, connection = connection_, session](StopToken) -> Tasks::Completion {
     connection->bring_back();
     const auto sessions = connection->list_sessions();
-    wake();
     return [this, session, sessions] {
       if (!sessions.is_ok()) return log.failure("join", sessions.status());
       for (const SessionInfo& each : *sessions)

@@ -20,6 +20,21 @@ TEST(Tasks, WorkRunsElsewhereAndItsCompletionHere) {
   EXPECT_NE(worked, completed);
 }
 
+// The owner looks while the work's thread still tells it.
+TEST(Tasks, WhoDrainsOnlyWhenToldHandlesTheResult) {
+  constexpr int kYields = 1000;
+  std::latch told(1);
+  Tasks tasks([&] {
+    told.count_down();
+    for (int i = 0; i < kYields; ++i) std::this_thread::yield();
+  });
+  bool is_handled = false;
+  tasks.start([&](StopToken) -> Tasks::Completion { return [&] { is_handled = true; }; });
+  told.wait();
+  tasks.drain();
+  EXPECT_TRUE(is_handled);
+}
+
 TEST(Tasks, ACompletionMayStartMore) {
   Tasks tasks;
   int done = 0;

@@ -3,7 +3,6 @@
 
 #include "client/model/beside.h"
 #include "client/model/tasks.h"
-#include "client/web/core/host/imports.h"
 #include "client/web/core/host/stacks.h"
 
 namespace burnish {
@@ -14,17 +13,18 @@ struct Tasks::Running {
   Completion completion;
 };
 
-Tasks::Tasks() = default;
+Tasks::Tasks(std::function<void()> on_end) : on_end_(std::move(on_end)) {}
 
 Tasks::~Tasks() {
   for (const auto& task : running_) task->asked->store(true);
 }
 
 void Tasks::start(Work work) {
-  start_stack([task = running_.emplace_back(std::make_shared<Running>()), work = std::move(work)] {
+  start_stack([task = running_.emplace_back(std::make_shared<Running>()), work = std::move(work),
+               on_end = on_end_] {
     task->completion = work(StopToken(task->asked));
     task->ended = true;
-    host_wake();
+    on_end();
   });
 }
 
