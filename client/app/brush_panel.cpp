@@ -76,9 +76,10 @@ static void draw_pen(Preferences& preferences) {
   hint("The harder the pen presses, the stronger the brush. Full pressure has the strength above.");
 }
 
-static void draw_painted_value(Document& document, MessageLog& log) {
-  Brush& brush = document.brush().brush;
-  draw_painted_choice(document);
+static void draw_painted_value(Workspace& workspace) {
+  Brush& brush = workspace.document()->brush().brush;
+  MessageLog& log = workspace.log;
+  draw_painted_choice(workspace);
   if (brush.curve > 0) return;
   if (brush.edges) {
     linear_slider({{"Painted strength", 0, brush.value_max()}, "%.2f", log}, brush.beta);
@@ -95,7 +96,7 @@ void BrushPanel::draw(Workspace& workspace) {
   ImGui::BeginDisabled(brush.curve > 0);
   draw_mode_buttons(brush);
   ImGui::EndDisabled();
-  draw_painted_value(document, workspace.log);
+  draw_painted_value(workspace);
   ImGui::TextUnformatted("Radius");
   ImGui::SameLine();
   faint_text("in the scan's units");

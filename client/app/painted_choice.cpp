@@ -24,10 +24,13 @@ void forget_missing(const Document& document, Brush& brush) {
   if (brush.curve > static_cast<int>(document.palette().curves.size())) brush.curve = 0;
 }
 
-void paint_instead(Brush& brush, const std::string& word) {
+// A strength of kept edges is no β: the brush's β waits among the preferences.
+void paint_instead(const std::string& word, Brush& brush, Preferences& preferences) {
   const bool painted_edges = brush.edges;
+  if (!painted_edges) preferences.brush_beta = brush.beta;
   (void)parse_painted(word, brush);  // it is a word of ours
-  if (brush.edges && !painted_edges) brush.beta = brush.value_max();
+  if (brush.edges != painted_edges)
+    brush.beta = brush.edges ? brush.value_max() : preferences.brush_beta;
 }
 
 std::string painted_label(const Document& document, const Brush& brush) {
@@ -39,17 +42,19 @@ std::string painted_label(const Document& document, const Brush& brush) {
 
 }  // namespace
 
-void draw_painted_choice(Document& document) {
+void draw_painted_choice(Workspace& workspace) {
+  Document& document = *workspace.document();
   Brush& brush = document.brush().brush;
   forget_missing(document, brush);
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Paints");
   ImGui::SameLine(em(6));
   ImGui::SetNextItemWidth(-1);
-  if (!ImGui::BeginCombo("##paints", painted_label(document, brush).c_str())) return;
+  const std::string painted = painted_label(document, brush);
+  if (!noted("Paints", ImGui::BeginCombo("##paints", painted.c_str()))) return;
   const auto choose = [&](const std::string& label, const std::string& word) {
     if (noted(label, ImGui::Selectable(label.c_str(), painted_word(brush) == word)))
-      paint_instead(brush, word);
+      paint_instead(word, brush, workspace.preferences);
   };
   choose("Gradient scale β", "beta");
   choose(kKeptEdges, "edges");

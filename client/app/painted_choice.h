@@ -1,11 +1,11 @@
 #pragma once
 
-#include "client/model/document.h"
+#include "client/model/workspace.h"
 
 namespace burnish {
 
 /// Draws the list of what the brush can paint: β, the strength of kept edges, the gain of a band, a
 /// curve of the palette, the colours.
-void draw_painted_choice(Document& document);
+void draw_painted_choice(Workspace& workspace);
 
 }  // namespace burnish

@@ -11,6 +11,7 @@
 namespace burnish {
 namespace {
 
+using testing::EndsWith;
 using testing::HasSubstr;
 
 class LayerWindow : public WindowTest {
@@ -81,6 +82,26 @@ TEST_F(LayerWindow, EdgesForThisScanAreKeptAsItsNoiseAsks) {
     return entry.summary.find("1 pass,") != std::string::npos;
   };
   EXPECT_TRUE(std::ranges::any_of(history(), is_of_noise));
+}
+
+TEST_F(LayerWindow, TheBrushPaintsItsBetaAgainAfterKeptEdges) {
+  open_window();
+  const auto paint = [&](const std::string& what) {
+    click_on("Brush/Paints");
+    click_on("Brush/" + what);
+    screen_->drag(kPictureX - 40, kPictureY, kPictureX + 40, kPictureY);
+  };
+  paint("Strength of kept edges");
+  EXPECT_THAT(newest_of(1).summary, HasSubstr("edges kept at strength 1"));
+  paint("Gradient scale β");
+  EXPECT_THAT(newest_of(2).summary, EndsWith("beta 0"));
+  paint("Strength of kept edges");
+  EXPECT_THAT(newest_of(3).summary, HasSubstr("edges kept at strength 1"));
+  screen_->close_window();
+  EXPECT_EQ(window_->wait(kPatience), 0) << window_->output();
+  open_window();
+  screen_->drag(kPictureX - 40, kPictureY, kPictureX + 40, kPictureY);
+  EXPECT_THAT(newest_of(4).summary, EndsWith("beta 0"));
 }
 
 TEST_F(LayerWindow, ABrushPaintsACurveOfThePalette) {

@@ -205,6 +205,20 @@ test("BrushOfKeptEdgesDenoisesOrKeeps", () =>
     await visit.sent("brush 4 0.5 0.5 smooth edges");
   }));
 
+test("BrushPaintsItsBetaAgainAfterKeptEdges", () =>
+  bench.visitSession(async (visit) => {
+    const brush = { radius: 4, strength: 0.5, beta: 2, fallOff: "smooth", paints: "beta", through: false };
+    await visit.document({ brush });
+    const panel = visit.page.getByRole("region", { name: "Brush" });
+    await panel.getByRole("button", { name: "Sharpen", pressed: true }).waitFor();
+    await panel.getByRole("combobox", { name: "Paints" }).selectOption("Strength of kept edges");
+    await visit.sent("brush 4 0.5 1 smooth edges");
+    await visit.document({ brush: { ...brush, beta: 1, paints: "edges" } });
+    await panel.getByRole("button", { name: "Denoise here", pressed: true }).waitFor();
+    await panel.getByRole("combobox", { name: "Paints" }).selectOption("Gradient scale β");
+    await visit.sent("brush 4 0.5 2 smooth beta");
+  }));
+
 test("BrushIsOneLine", () =>
   bench.visitSession(async (visit) => {
     const panel = visit.page.getByRole("region", { name: "Brush" });

@@ -1,5 +1,6 @@
 // The airbrush.
 
+import { useRef } from "preact/hooks";
 import { command } from "./commands";
 import { useLink } from "./context";
 import { Button, Check, Choice, Row, Title } from "./controls";
@@ -42,6 +43,13 @@ export function BrushPanel({ document }: PanelProps) {
   const disabled = isViewer(document);
   const paintsCurve = brush.paints.startsWith("curve:");
   const change = (part: Partial<Brush>) => link.send(command.brush({ ...brush, ...part }));
+  const beta = useRef(0); // of the brush, while it paints a strength of kept edges
+  const paintInstead = (paints: string) => {
+    const paintsEdges = paints === "edges";
+    if (paintsEdges === (brush.paints === "edges")) return change({ paints });
+    if (paintsEdges) beta.current = brush.beta;
+    change({ paints, beta: paintsEdges ? 1 : beta.current });
+  };
   const modes = brush.paints === "edges" ? kEdgeModes : kModes;
   return (
     <>
@@ -62,7 +70,7 @@ export function BrushPanel({ document }: PanelProps) {
         value={brush.paints}
         choices={paintable(document)}
         disabled={disabled}
-        onChange={(paints) => change(paints === "edges" ? { paints, beta: 1 } : { paints })}
+        onChange={paintInstead}
       />
       {!paintsCurve && <PaintedValue {...{ document, change }} />}
       <Title text="Radius" note="in the scan's units" />
