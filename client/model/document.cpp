@@ -63,15 +63,24 @@ void Document::send(Change change) {
 }
 
 void Document::send_as(const std::string& id, Change change) {
-  const Edit edit{id, std::move(change)};
-  if (std::holds_alternative<SetEdges>(edit.change)) waits_for_noise_ = false;
-  settings_.take(edit.change);
-  recorder_.record(edit);
-  const Status sent = live_->apply({edit});
-  unacknowledged_ += sent.is_ok();
-  if (sent.is_ok()) return count_step(edit.change);
-  log_.failure("edit", sent);
-  forget_strokes();
+  send_together({{id, std::move(change)}});
+}
+
+// The server applies all of a message or none.
+void Document::send_together(const std::vector<Edit>& edits) {
+  for (const Edit& edit : edits) {
+    if (std::holds_alternative<SetEdges>(edit.change)) waits_for_noise_ = false;
+    settings_.take(edit.change);
+    recorder_.record(edit);
+  }
+  const Status sent = live_->apply(edits);
+  if (!sent.is_ok()) {
+    log_.failure("edit", sent);
+    return forget_strokes();
+  }
+  unacknowledged_ += edits.size();
+  for (const Edit& edit : edits) count_step(edit.change);
+  for (size_t joined = 1; joined < edits.size(); ++joined) undo_steps_.join_last_two();
 }
 
 void Document::count_step(const Change& change) {
@@ -90,8 +99,17 @@ void Document::preview(Change change) {
 }
 
 void Document::commit(Change change) {
-  const std::string id = gesture_.empty() ? random_id() : std::exchange(gesture_, {});
-  send_as(id, std::move(change));
+  commit_together({std::move(change)});
+}
+
+// The first edit ends a drag, so it is of the value that the drag moved.
+void Document::commit_together(std::vector<Change> changes) {
+  std::vector<Edit> edits;
+  for (Change& change : changes) {
+    const std::string id = gesture_.empty() ? random_id() : std::exchange(gesture_, {});
+    edits.push_back({id, std::move(change)});
+  }
+  send_together(edits);
 }
 
 void Document::set_controls(const Controls& controls) {

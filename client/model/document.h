@@ -217,6 +217,8 @@ class Document {
   };
   void send(Change change);
   void send_as(const std::string& id, Change change);
+  void send_together(const std::vector<Edit>& edits);
+  void commit_together(std::vector<Change> changes);
   void count_step(const Change& change);
   void send_stroke(const std::string& id, const Stroke& stroke);
   void tint_dab(const Brush& brush, const Vec3d& centre);

@@ -62,6 +62,13 @@ Overloaded(Handlers...) -> Overloaded<Handlers...>;  // clang 16 needs to be tol
 
 }  // namespace
 
+// The ids of edits say nothing to a user.
+static Status without_ids(const EditsRefused& refused) {
+  Status status = refused.status;
+  for (const std::string& id : refused.edit_ids) status = status.renamed("edit " + id + ": ", "");
+  return status;
+}
+
 void Document::handle(const LiveEvent& event) {
   std::visit(Overloaded{
                  [&](const LinkChanged& change) {
@@ -89,8 +96,9 @@ void Document::handle(const LiveEvent& event) {
                    refresh_history();
                  },
                  [&](const EditsRefused& refused) {
-                   log_.failure("edit refused", refused.status);
-                   undo_steps_.clear();  // it counts edits that the server does not have
+                   log_.failure("edit refused", without_ids(refused));
+                   is_told_taken_ = false;  // the session's values are not those sent
+                   undo_steps_.clear();     // it counts edits that the server does not have
                    forget_strokes();
                  },
                  [&](const EditsShown& shown) {

@@ -13,19 +13,16 @@ void Document::apply(const Preset& preset, double strength) {
   curve_.set_curve(applied.curve);
   if (preset.brush_beta && !brush_.brush.edges) brush_.brush.beta = *preset.brush_beta;
   const bool has_bands = !applied.equaliser.bands.empty() || !equaliser().bands.empty();
-  // The first edit ends a drag, so it is of the value that the drag moved.
-  if (has_bands) commit(SetEqualiser{std::move(applied.equaliser)});
-  commit_curve();
-  commit_beta();
-  undo_steps_.join_last_two();
-  if (has_bands) undo_steps_.join_last_two();
+  std::vector<Change> changes;
+  if (has_bands) changes.push_back(SetEqualiser{std::move(applied.equaliser)});
+  changes.push_back(SetTransferCurve{curve_.curve()});
+  changes.push_back(SetGradientScale{beta()});
+  commit_together(std::move(changes));
 }
 
 void Document::keep_edges(const EdgeFilter& preset) {
   curve_.set_curve(TransferCurve(alpha_of_wavelength(length_unit(), kEdgeWaveEdges * mean_edge())));
-  commit(SetEdges{preset});
-  commit_curve();
-  undo_steps_.join_last_two();
+  commit_together({SetEdges{preset}, SetTransferCurve{curve_.curve()}});
 }
 
 void Document::keep_edges_by_noise() {

@@ -427,6 +427,17 @@ TEST_F(FrontService, AScanWithoutNoiseSaysSoAndChangesNothing) {
   EXPECT_EQ(document()["edges"]["strength"], 0);
 }
 
+TEST_F(FrontService, APresetOfEdgesThatIsRefusedChangesNothing) {
+  ASSERT_TRUE(open_part());
+  line("bands 1:2");
+  ASSERT_TRUE(until([this] { return is_settled() && document()["history"].size() == 1; }));
+  line("keep_edges relief");
+  ASSERT_TRUE(until([this] { return has_message("refused: bands cannot stand beside"); }));
+  EXPECT_TRUE(until([this] { return is_settled() && document()["edges"]["strength"] == 0; }));
+  EXPECT_EQ(document()["fidelity"], 50);
+  EXPECT_EQ(owner_.history("clean")->size(), 1u);
+}
+
 TEST_F(FrontService, EdgesThatAreChosenWhileTheNoiseIsMeasuredStay) {
   ASSERT_TRUE(open_part());
   line("keep_edges auto");
