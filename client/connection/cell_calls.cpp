@@ -26,6 +26,7 @@ Result<std::vector<float>> Connection::cells(const std::string& session, CellVal
   Status here;  // what went wrong on this side
   const Status there =
       state_->call_owner([&](v1::Editing::Stub& owner, grpc::ClientContext& context) {
+        cells.clear();  // nothing stays of a call that another server goes on with
         const auto reader = owner.GetCells(&context, request);
         v1::Chunk chunk;
         while (reader->Read(&chunk)) {

@@ -1,3 +1,6 @@
+#include <optional>
+#include <utility>
+
 #include "client/connection/connection_state.h"
 #include "common/base/atomic_file.h"
 #include "common/transfer/chunk.h"
@@ -47,18 +50,23 @@ Status take_summary(const v1::ExportSummary& message, ExportSummary& summary) {
 Result<ExportSummary> Connection::export_mesh(const std::string& session, const ExportWish& wish,
                                               const std::filesystem::path& path,
                                               const Progress& progress) {
-  ASSIGN_OR_RETURN(Download download, Download::create(path));
+  std::optional<Download> download;
   ExportSummary summary;
   Status here;  // what went wrong on this side
   const auto take = [&](const v1::ExportEvent& event) {
     if (event.has_summary() && here.is_ok()) here = take_summary(event.summary(), summary);
-    if (event.has_chunk() && here.is_ok()) here = download.append(event.chunk());
+    if (event.has_chunk() && here.is_ok()) here = download->append(event.chunk());
     if (event.has_progress() &&
         !report(progress, event.progress().phase(), event.progress().fraction()))
       here = cancelled("the export was cancelled");
   };
   const Status there =
       state_->call_owner([&](v1::Editing::Stub& owner, grpc::ClientContext& context) {
+        // Nothing stays of a call that another server goes on with.
+        auto begun = Download::create(path);
+        here = begun.status();
+        if (!here.is_ok()) return grpc::Status();
+        download.emplace(std::move(begun).value());
         const auto reader = owner.Export(&context, to_wire(session, wish));
         v1::ExportEvent event;
         while (reader->Read(&event)) {
@@ -69,7 +77,7 @@ Result<ExportSummary> Connection::export_mesh(const std::string& session, const 
       });
   RETURN_IF_ERROR(here);
   RETURN_IF_ERROR(there);
-  RETURN_IF_ERROR(download.finish(summary));
+  RETURN_IF_ERROR(download->finish(summary));
   return summary;
 }
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 
 #include "client/connection/connection_state.h"
 #include "common/wire/page_values_wire.h"
@@ -32,16 +33,21 @@ class ArrivingValues {
 
 }  // namespace
 
-/// `here`: what went wrong on this side.
+/// The values of some pages, and what went wrong on this side.
+struct Fetched {
+  std::vector<PageValues> values;
+  Status here;
+};
+
 static grpc::Status fetch_values(v1::Editing::Stub& owner, grpc::ClientContext& context,
-                                 const PageValuesWish& wish, std::vector<PageValues>& all,
-                                 Status& here) {
+                                 const PageValuesWish& wish, Fetched& fetched) {
+  auto& [values, here] = fetched = {};  // nothing stays of a call that another server goes on with
   const auto reader = owner.GetPageValues(&context, to_wire(wish));
   ArrivingValues arriving(wish.pages);
   v1::PageValues message;
   while (reader->Read(&message)) {
     if (!here.is_ok()) continue;
-    here = arriving.take(message, all);
+    here = arriving.take(message, values);
     if (!here.is_ok()) context.TryCancel();
   }
   const grpc::Status there = reader->Finish();
@@ -55,13 +61,14 @@ Result<std::vector<PageValues>> Connection::page_values(const std::string& sessi
   for (; !pages.empty(); pages = pages.subspan(std::min(pages.size(), kValuedPagesMax))) {
     const auto some = pages.first(std::min(pages.size(), kValuedPagesMax));
     const PageValuesWish wish{session, value, {some.begin(), some.end()}};
-    Status here;
+    Fetched fetched;
     const Status there =
         state_->call_owner([&](v1::Editing::Stub& owner, grpc::ClientContext& context) {
-          return fetch_values(owner, context, wish, all, here);
+          return fetch_values(owner, context, wish, fetched);
         });
-    RETURN_IF_ERROR(here.with_context("server " + server()));
+    RETURN_IF_ERROR(fetched.here.with_context("server " + server()));
     RETURN_IF_ERROR(there);
+    std::ranges::move(fetched.values, std::back_inserter(all));
   }
   return all;
 }
