@@ -21,7 +21,7 @@ from .frame import Frame
 from .gesture import Gesture
 from .history import Deviation, Entry, Exported, State
 from .live import Live
-from .local import Filtered, Options, filter, filter_all, filter_mesh
+from .local import Filtered, Options, filter, filter_all, filter_mesh, filter_vertices
 from .mesh import Mesh, load_ply
 from .people import People
 from .pictures import animate, render
@@ -40,6 +40,6 @@ __all__ = [
     "PaletteCurve", "People", "PermissionDenied", "Prepared", "ProtectCurvature", "ProtectLasso",
     "ProtectPiece", "Refused", "ResourceExhausted", "Scan", "Session", "SessionEnded", "State",
     "Stroke", "ThinWalls", "TransferCurve", "Unauthenticated", "Unavailable", "Unimplemented",
-    "__version__", "animate", "connect", "filter", "filter_all", "filter_mesh", "load_ply",
-    "render", "serve",
+    "__version__", "animate", "connect", "filter", "filter_all", "filter_mesh", "filter_vertices",
+    "load_ply", "render", "serve",
 ]

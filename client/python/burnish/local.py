@@ -11,16 +11,20 @@ import signal
 import subprocess
 import tempfile
 import threading
-from typing import Any, Sequence
+from typing import Any, Sequence, TypeVar, cast, overload
+
+import numpy.typing as npt
 
 from ._arguments import check_all, check_fields
 from ._channel import PathLike
+from .arrays import ArrayFile
 from .edits import Band, Controls, TransferCurve
 from .errors import Error, InvalidArgument, error_of
-from .mesh import Mesh, load_ply
+from .libraries import held
 from .program import find_program
 from .progress import Progress
 
+AnyMesh = TypeVar("AnyMesh")
 USAGE = 2  # the program's exit code for wrong options
 
 
@@ -151,16 +155,56 @@ class _Ended(Error):
     """The program has ended without an answer."""
 
 
-def filter_mesh(mesh: Mesh, *, progress: Progress | None = None, **options: Any) -> Mesh:
-    """Returns an edited mesh. `options` are the fields of Options. Raises Refused, Error."""
+@overload
+def filter_vertices(vertices: npt.ArrayLike, faces: Any, *, colours: None = None,
+                    progress: Progress | None = None, **options: Any) -> npt.NDArray[Any]: ...
+
+
+@overload
+def filter_vertices(vertices: npt.ArrayLike, faces: Any, *, colours: npt.ArrayLike,
+                    progress: Progress | None = None,
+                    **options: Any) -> tuple[npt.NDArray[Any], npt.NDArray[Any]]: ...
+
+
+def filter_vertices(vertices: Any, faces: Any, *, colours: Any = None,
+                    progress: Progress | None = None, **options: Any) -> Any:
+    """Returns the vertices of an edited surface, n x 3, in the order and float type of `vertices`.
+
+    `faces`: m x 3, m x 4, m x k with -1 behind a face's last vertex, flat as VTK has them
+    (n i0 i1 ... n i0 i1 ...), or a sequence of sequences. `colours`: n x 3 or n x 4, uint8 or floats
+    of 0 to 1; with them it returns a pair, the vertices and the colours, whose alpha stays.
+    `options` are the fields of Options. Raises ValueError, TypeError for arrays that are not a
+    surface; Refused, Error.
+    """
+    file, chosen = ArrayFile(vertices, faces, colours), Options(**options)
     with tempfile.TemporaryDirectory(prefix="burnish-") as folder:
         source, target = pathlib.Path(folder) / "in.ply", pathlib.Path(folder) / "out.ply"
-        source.write_bytes(mesh.to_ply())
+        source.write_bytes(file.to_bytes())
         try:
-            filter(source, target, progress=progress, **options)
+            one, = _run([source, target], [], chosen, progress)
+            if one.error is not None:
+                raise one.error
         except Error as error:
             raise type(error)(error.message.replace(str(source), "the mesh")) from None
-        return load_ply(target)
+        places, edited = file.read(target.read_bytes())
+    return places if edited is None else (places, edited)
+
+
+def filter_mesh(mesh: AnyMesh, *, progress: Progress | None = None, **options: Any) -> AnyMesh:
+    """Returns an edited copy of a mesh, of the same type; the given one stays as it is.
+
+    `mesh` is a Mesh, or one of trimesh, Open3D, PyVista, VTK, meshio, PyMeshLab or Blender. What
+    the library keeps beside the positions stays, normals too. `options` are the fields of Options;
+    `colour_beta` edits the colours of vertices. Raises TypeError for other things; ValueError;
+    Refused, Error.
+    """
+    given = held(mesh)
+    edits_colours = options.get("colour_beta") is not None and given.colours is not None
+    if not edits_colours:
+        return cast(AnyMesh, given.rebuild(filter_vertices(
+            given.vertices, given.faces, progress=progress, **options), None))
+    return cast(AnyMesh, given.rebuild(*filter_vertices(
+        given.vertices, given.faces, colours=given.colours, progress=progress, **options)))
 
 
 def _run(files: Sequence[PathLike], words: list[str], options: Options,
