@@ -28,7 +28,7 @@ from .pictures import animate, render
 from .region import (ClearProtected, GrowProtected, InvertProtected, ProtectCurvature,
                      ProtectLasso, ProtectPiece)
 from .scan import EdgeProposal, Histogram, Prepared, Scan, ThinWalls
-from .serving import serve
+from .serving import Server, serve
 from .session import Session
 
 __all__ = [
@@ -38,7 +38,7 @@ __all__ = [
     "Frame", "Gesture", "GradientScale", "GrowProtected", "Histogram", "Internal",
     "InvalidArgument", "InvertProtected", "Live", "Mesh", "NotFound", "Options", "Palette",
     "PaletteCurve", "People", "PermissionDenied", "Prepared", "ProtectCurvature", "ProtectLasso",
-    "ProtectPiece", "Refused", "ResourceExhausted", "Scan", "Session", "SessionEnded", "State",
+    "ProtectPiece", "Refused", "ResourceExhausted", "Scan", "Server", "Session", "SessionEnded", "State",
     "Stroke", "ThinWalls", "TransferCurve", "Unauthenticated", "Unavailable", "Unimplemented",
     "__version__", "animate", "connect", "filter", "filter_all", "filter_mesh", "filter_vertices",
     "load_ply", "render", "serve",

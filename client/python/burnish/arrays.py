@@ -155,8 +155,8 @@ class ArrayFile:
 
 def _bytes_of(colours: npt.NDArray[Any]) -> npt.NDArray[np.uint8]:
     if colours.dtype == np.uint8:
-        return colours
-    return np.rint(colours.astype(np.float64) * BYTE_MAX).astype(np.uint8)
+        return np.asarray(colours, np.uint8)
+    return np.asarray(np.rint(colours.astype(np.float64) * BYTE_MAX), np.uint8)
 
 
 def _face_bytes(polygons: Polygons, count: np.dtype[Any]) -> bytes:

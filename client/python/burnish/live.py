@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import secrets
+import threading
 from types import TracebackType
-from typing import Any, Iterator
+from typing import Any, Callable, Iterator
 
 import numpy as np
 import numpy.typing as npt
@@ -13,14 +15,18 @@ from burnish.v1 import editing_pb2
 
 from ._arguments import with_change
 from ._calls import Calls
-from .edits import Change
+from .cells import CellFields
+from .edits import Change, rows
+from .errors import Error, FailedPrecondition
 from .frame import Frame
 from .gesture import Gesture
+from .history import State
 from .live_link import LiveLink
 from .live_stream import HEARTBEAT_SECONDS
 from .mesh import Mesh
 from .progress import Progress
 from .surface import Surface, fetch_surface
+from .weights import cell_fields
 
 TIMEOUT_SECONDS = 600.0
 
@@ -34,10 +40,16 @@ class Live:
     """
 
     def __init__(self, calls: Calls, info: editing_pb2.SessionInfo, *, triangles_max: int,
-                 level: int | None, progress: Progress | None = None,
+                 level: int | None, vertices: npt.ArrayLike | None = None,
+                 progress: Progress | None = None,
                  heartbeat_seconds: float = HEARTBEAT_SECONDS) -> None:
+        places = None if vertices is None else rows(vertices, 3, "vertices")
+
         def fetch() -> Surface:
-            return fetch_surface(calls, info.scan_id, info.depth, triangles_max, level, progress)
+            return fetch_surface(calls, info.scan_id, info.depth, triangles_max, level, progress,
+                                 places)
+        self._calls, self._session = calls, info.id
+        self._depth, self._callers = info.depth, list[threading.Thread]()
         self._link = LiveLink(calls, info.id, fetch, heartbeat_seconds)
         self._edits = 0
         try:
@@ -54,12 +66,16 @@ class Live:
         self.close()
 
     def close(self) -> None:
-        """Leaves the session."""
+        """Leaves the session. Callbacks of on_frame() have ended when it returns."""
         self._link.close()
+        for caller in self._callers:
+            if caller is not threading.current_thread():
+                caller.join()
 
     @property
     def faces(self) -> npt.NDArray[np.int64]:
-        """m x 3 indices of the frames' vertices. Pages repeat the vertices of their borders."""
+        """m x 3 indices of the frames' vertices. Pages repeat the vertices of their borders, unless
+        the frames are in the scan's own order."""
         return self._link.surface.faces
 
     @property
@@ -126,6 +142,49 @@ class Live:
             assert link.frame is not None
             return link.frame
 
+    def poll(self) -> Frame | None:
+        """Returns the newest frame if it was not returned before, else None; does not wait.
+
+        Raises what ended the session.
+        """
+        link = self._link
+        with link.changed:
+            link.check()
+            if link.received == link.taken:
+                return None
+            link.take_frame()
+            return link.frame
+
+    def on_frame(self, callback: Callable[[Frame], object]) -> None:
+        """Calls `callback` with each new frame, in a thread of its own, until the session ends.
+
+        An exception of it goes to threading.excepthook and ends the calls. Frames go to one reader:
+        next_frame(), poll() and frames() miss those that the callback has.
+        """
+        def call() -> None:
+            with contextlib.suppress(Error):  # other methods raise what ended the session
+                while True:
+                    frame = self.next_frame(threading.TIMEOUT_MAX)
+                    callback(frame)
+        caller = threading.Thread(target=call, daemon=True)
+        self._callers.append(caller)
+        caller.start()
+
+    def cell_fields(self, beta: npt.ArrayLike, alpha: npt.ArrayLike | None = None) -> CellFields:
+        """Returns an edit that sets cells of the surface by values per vertex.
+
+        `beta`: n gradient scales, 0 to 10, in the order of the frames' vertices; NaN leaves a cell
+        as it is. `alpha`: n fidelity weights times L, or one for all; by default the session's. A cell has the mean of the
+        values within it; between vertices they are interpolated over the triangles. A cell of which
+        the surface only cuts off a corner may stay as it is.
+        Raises ValueError for another shape; FailedPrecondition without alpha if the session's
+        changes with curvature.
+        """
+        surface = self._link.surface
+        alpha = self._constant_alpha() if alpha is None else alpha
+        return cell_fields(surface.rest, surface.faces, beta, alpha, surface.head.origin,
+                           surface.head.side / (1 << self._depth))
+
     def frames(self, timeout: float = TIMEOUT_SECONDS) -> Iterator[Frame]:
         """Yields frames until the surface with all edits that were applied here is at rest."""
         while not self._is_at_rest():
@@ -137,6 +196,14 @@ class Live:
             pass
         assert self._link.frame is not None
         return self._link.frame
+
+    def _constant_alpha(self) -> float:
+        points = State.of(self._calls.ask(self._calls.editing.GetState, (
+            editing_pb2.GetStateRequest(session=self._session)))).curve.points
+        if len(points) != 1:
+            raise FailedPrecondition(f"the session's transfer curve has {len(points)} points: "
+                                     "give alpha")
+        return next(iter(points.values()))
 
     def _is_at_rest(self) -> bool:
         link = self._link

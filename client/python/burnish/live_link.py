@@ -102,12 +102,16 @@ class LiveLink:
         """Waits with the lock held. Raises what ended the session."""
         end = time.monotonic() + timeout
         while not is_done():
-            if self._error is not None:
-                raise self._error
-            if self._closing:
-                raise SessionEnded("the live session was closed here")
+            self.check()
             if not self.changed.wait(end - time.monotonic()) and time.monotonic() >= end:
                 raise DeadlineExceeded(f"no {what} came within {timeout} s")
+
+    def check(self) -> None:
+        """Raises what ended the session. Needs the lock."""
+        if self._error is not None:
+            raise self._error
+        if self._closing:
+            raise SessionEnded("the live session was closed here")
 
     def _run(self) -> None:
         """Keeps a stream open until close(), or until the server says that it is over."""

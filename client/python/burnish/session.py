@@ -190,9 +190,15 @@ class Session:
             self.export(path, exact=exact)
             return load_ply(path)
 
-    def live(self, *, triangles_max: int = 1_000_000, level: int | None = None) -> Live:
-        """Joins the session. See Live."""
-        return Live(self._calls, self._info, triangles_max=triangles_max, level=level)
+    def live(self, *, triangles_max: int = 1_000_000, level: int | None = None,
+             vertices: npt.ArrayLike | None = None) -> Live:
+        """Joins the session. See Live.
+
+        With `vertices`, n x 3, those of the scan's file, frames are in their order. All of the scan
+        is shown then, at most 4096 pages of it. Raises ValueError if they are not the scan's.
+        """
+        return Live(self._calls, self._info, triangles_max=triangles_max, level=level,
+                    vertices=vertices)
 
     def people(self) -> People:
         """Returns who may do what here, and who is there."""

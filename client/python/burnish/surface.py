@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 import numpy.typing as npt
 
@@ -65,10 +67,70 @@ class Surface:
         return np.concatenate(moves) * self._cell_size
 
 
+class ScanSurface(Surface):
+    """The pages of level 0 in the order of the scan's own vertices.
+
+    `rest` are those vertices, without the rounding of pages; those of no triangle do not move.
+    """
+
+    def __init__(self, head: Head, pages: list[Page], depth: int,
+                 vertices: npt.NDArray[np.float64]) -> None:
+        """Raises ValueError unless each place of the pages is one of `vertices`."""
+        super().__init__(head, pages, depth)
+        matches = LatticeMatches(np.concatenate([page.positions for page in pages]))
+        cells = np.floor((vertices - head.origin) / head.side * (1 << head.bits)).astype(np.int64)
+        self._partners = matches.find(cells)
+        scan = LatticeMatches(cells).find(matches.cells)
+        if (scan < 0).any():
+            raise ValueError(f"vertices has none at {np.count_nonzero(scan < 0)} of {len(scan)} places "
+                             "of the surface: it takes those of the imported file")
+        self.rest, self.faces = vertices, scan[self.faces]
+
+    def displacements(self, decoder: FrameDecoder) -> npt.NDArray[np.float64]:
+        moves = super().displacements(decoder)[self._partners]
+        moves[self._partners < 0] = 0
+        return moves
+
+
+class LatticeMatches:
+    """Finds places of the lattice among others."""
+
+    def __init__(self, cells: npt.ArrayLike) -> None:
+        self.cells: npt.NDArray[np.int64] = np.asarray(cells, np.int64)
+        keys = self._keys(self.cells)
+        self._order = np.argsort(keys, kind="stable")
+        self._keys_in_order = keys[self._order]
+
+    def _keys(self, cells: npt.NDArray[np.int64]) -> npt.NDArray[np.uint64]:
+        """Returns a number per place. Two places of one number are about as likely as 2^-64."""
+        factors = np.array([0x9E3779B97F4A7C15, 0xC2B2AE3D27D4EB4F, 0x165667B19E3779F9], np.uint64)
+        return np.asarray((cells.astype(np.uint64) * factors).sum(axis=1, dtype=np.uint64))
+
+    def find(self, cells: npt.NDArray[np.int64]) -> npt.NDArray[np.int64]:
+        """Returns for each cell the index of an equal one, else of a neighbour, else -1."""
+        found = np.full(len(cells), -1)
+        shifts = sorted(itertools.product((0, -1, 1), repeat=3), key=np.count_nonzero)
+        for shift in shifts:
+            missing = np.flatnonzero(found < 0)
+            if not len(missing):
+                break
+            keys = self._keys(cells[missing] + np.array(shift))
+            at = np.minimum(np.searchsorted(self._keys_in_order, keys), len(self._order) - 1)
+            is_equal = self._keys_in_order[at] == keys
+            found[missing[is_equal]] = self._order[at[is_equal]]
+        return found
+
+
 def fetch_surface(calls: Calls, scan: str, depth: int, triangles_max: int, level: int | None,
-                  progress: Progress | None = None) -> Surface:
-    """Fetches the pages of a level, or of the finest with at most `triangles_max` triangles."""
+                  progress: Progress | None = None,
+                  vertices: npt.NDArray[np.float64] | None = None) -> Surface:
+    """Fetches the pages of a level, or of the finest with at most `triangles_max` triangles.
+
+    With the scan's `vertices` it is level 0 in their order.
+    """
     head = describe(calls, scan)
+    if vertices is not None:
+        level = 0
     chosen = choose_level(head, triangles_max) if level is None else level
     if not 0 <= chosen < len(head.level_pages):
         raise ResourceExhausted(f"level {chosen} is outside 0 to {len(head.level_pages) - 1}")
@@ -81,7 +143,7 @@ def fetch_surface(calls: Calls, scan: str, depth: int, triangles_max: int, level
         pages += _fetch(calls, scan, numbers)
         if progress is not None:
             progress("fetching pages", len(pages) / count)
-    return Surface(head, pages, depth)
+    return Surface(head, pages, depth) if vertices is None else ScanSurface(head, pages, depth, vertices)
 
 
 def _fetch(calls: Calls, scan: str, numbers: list[int]) -> list[Page]:

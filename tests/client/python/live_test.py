@@ -49,6 +49,97 @@ class LiveSessions(Sdk):
         frame = live.settle()
         np.testing.assert_array_equal(frame.vertices, live.original.vertices)
 
+    def test_frames_come_in_the_scans_own_order(self):
+        session = self.open()
+        live = self.join(session, vertices=self.mesh.vertices)
+        np.testing.assert_array_equal(live.settle().vertices, self.mesh.vertices)
+        np.testing.assert_array_equal(np.unique(np.sort(live.faces, axis=1), axis=0),
+                                      np.unique(np.sort(self.mesh.faces, axis=1), axis=0))
+        live.apply(burnish.GradientScale(0.2), CURVE)
+        frame = live.settle()
+        exported = session.mesh().vertices
+        self.assertGreater(np.abs(exported - self.mesh.vertices).max(), self.cell_size / 8)
+        self.assertLess(np.abs(frame.vertices - exported).max(), self.cell_size / 64)
+        shuffled = np.random.default_rng(1).permutation(len(self.mesh.vertices))
+        live = self.join(session, vertices=np.float32(self.mesh.vertices[shuffled]))
+        self.assertLess(np.abs(live.settle().vertices - exported[shuffled]).max(),
+                        self.cell_size / 64)
+
+    def test_vertices_of_another_mesh_are_refused(self):
+        session = self.open()
+        with self.assertRaisesRegex(ValueError, r"vertices has none at \d+ of \d+ places"):
+            session.live(vertices=self.mesh.vertices * 1.01)
+        with self.assertRaisesRegex(ValueError, r"vertices.*\(n, 3\)"):
+            session.live(vertices=self.mesh.vertices[:, :2])
+
+    def test_a_poll_returns_the_newest_frame_or_none(self):
+        live = self.join(self.open())
+        live.apply(burnish.GradientScale(0.2))
+        frames = []
+        while not frames or not (frames[-1].settled and frames[-1].edits == 1):
+            frames += filter(None, [live.poll()])
+        self.assertEqual(len(set(map(id, frames))), len(frames))
+        while live.poll() is not None:  # a surface at rest sends no more
+            pass
+        live.close()
+        with self.assertRaises(burnish.SessionEnded):
+            live.poll()
+
+    def test_a_callback_has_each_new_frame_until_the_session_is_closed(self):
+        live, frames, at_rest = self.join(self.open()), [], threading.Event()
+
+        def take(frame):
+            frames.append(frame)
+            if frame.settled and frame.edits == 1:
+                at_rest.set()
+        live.on_frame(take)
+        live.apply(burnish.GradientScale(0.2))
+        self.assertTrue(at_rest.wait(300))
+        live.close()
+        count = len(frames)
+        self.assertGreater(np.abs(frames[-1].displacements).max(), self.cell_size / 8)
+        with self.assertRaises(burnish.SessionEnded):
+            live.apply(burnish.GradientScale(0.5))
+        self.assertEqual(len(frames), count)
+
+    def test_a_callback_may_close_the_session(self):
+        live, closed = self.join(self.open()), threading.Event()
+
+        def close(_):
+            live.close()
+            closed.set()
+        live.on_frame(close)
+        self.assertTrue(closed.wait(300))
+        with self.assertRaises(burnish.SessionEnded):
+            live.poll()
+
+    def test_weights_of_vertices_set_the_cells_of_the_surface(self):
+        session = self.open()
+        vertices = self.mesh.vertices
+        live = self.join(session, vertices=vertices)
+        betas = np.where(vertices[:, 2] > 0, 0.25, np.nan)
+        fields = live.cell_fields(betas, alpha=50)
+        session.apply(fields)
+        set_cells = session.cells("beta")
+        self.assertEqual(np.count_nonzero(set_cells == 0.25), len(fields.cells))
+        self.assertEqual(np.count_nonzero(set_cells == 1), len(set_cells) - len(fields.cells))
+        self.assertLess(abs(2 * len(fields.cells) / len(set_cells) - 1), 0.1)
+        moves = np.abs(live.settle().displacements).max(axis=1)
+        self.assertGreater(moves[vertices[:, 2] > 2].max(), self.cell_size / 8)
+        self.assertLess(moves[vertices[:, 2] < -4].max(), moves[vertices[:, 2] > 2].max() / 8)
+        whole = live.cell_fields(np.ones(len(vertices)), 50)
+        self.assertGreater(len(whole.cells), 0.9 * len(set_cells))
+        with self.assertRaisesRegex(ValueError, "no triangle without NaN"):
+            live.cell_fields(np.nan, 50)
+        session.set_alpha(20)
+        self.assertEqual(set(live.cell_fields(0.1).alpha1), {20})
+        session.apply(live.cell_fields(10))  # the most that a beta may be
+        session.apply(CURVE)
+        with self.assertRaisesRegex(burnish.FailedPrecondition, "2 points.*alpha"):
+            live.cell_fields(0.5)
+        with self.assertRaisesRegex(ValueError, r"beta.*\(3,\).*\(\d+,\)"):
+            live.cell_fields([1, 2, 3], 50)
+
     def test_a_coarse_level_has_fewer_triangles(self):
         session = self.open()
         fine, coarse = self.join(session), self.join(session, triangles_max=5000)

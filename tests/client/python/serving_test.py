@@ -1,5 +1,6 @@
 """Servers and films of scripts."""
 
+import gc
 import os
 import pathlib
 import struct
@@ -47,6 +48,28 @@ class Serving(unittest.TestCase):
             session.set_beta(0.5)
         with burnish.serve(self.folder / "data") as server:
             self.assertEqual(server.session("kept").state().beta, 0.5)
+
+    def test_a_server_of_ones_own_is_an_object_that_is_closed(self):
+        server = burnish.serve()
+        mesh = burnish.Mesh(*scan.bumpy_sphere(3))
+        session = server.open_session(server.import_scan(mesh, "ball", depth=4), "open")
+        live = session.live()
+        server.close()
+        server.close()
+        with self.assertRaises(burnish.Error):
+            while True:  # a frame may have come before
+                live.next_frame()
+        live.close()
+        with self.assertRaisesRegex(burnish.FailedPrecondition, "closed"):
+            server.scans()
+
+    def test_a_server_serves_while_a_session_of_it_is_used(self):
+        mesh = burnish.Mesh(*scan.bumpy_sphere(3))
+        session = (lambda server: server.open_session(
+            server.import_scan(mesh, "ball", depth=4)))(burnish.serve())
+        gc.collect()
+        session.set_beta(0.5)
+        self.assertEqual(session.state().beta, 0.5)
 
     def test_a_server_of_ones_own_ends_with_its_program(self):
         for end in ("os.kill(os.getpid(), signal.SIGKILL)", "kept = stack.pop_all()"):
