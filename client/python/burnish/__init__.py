@@ -21,8 +21,9 @@ from .frame import Frame
 from .gesture import Gesture
 from .history import Deviation, Entry, Exported, State
 from .live import Live
-from .local import Filtered, Options, filter, filter_all, filter_mesh, filter_vertices
+from .local import Filtered, filter, filter_all, filter_mesh, filter_vertices
 from .mesh import Mesh, load_ply
+from .options import Options
 from .people import People
 from .pictures import animate, render
 from .region import (ClearProtected, GrowProtected, InvertProtected, ProtectCurvature,

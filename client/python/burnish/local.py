@@ -11,93 +11,23 @@ import signal
 import subprocess
 import tempfile
 import threading
-from typing import Any, Sequence, TypeVar, cast, overload
+from typing import TYPE_CHECKING, Any, Sequence, TypeVar, cast, overload
 
 import numpy.typing as npt
 
-from ._arguments import check_all, check_fields
 from ._channel import PathLike
 from .arrays import ArrayFile
-from .edits import Band, Controls, TransferCurve
 from .errors import Error, InvalidArgument, error_of
 from .libraries import held
+from .options import Options, OptionWords, options_of, shows_options
 from .program import find_program
 from .progress import Progress
 
+if TYPE_CHECKING:
+    from typing import Unpack
+
 AnyMesh = TypeVar("AnyMesh")
 USAGE = 2  # the program's exit code for wrong options
-
-
-@dataclasses.dataclass(frozen=True)
-class Options:
-    """A filter. None: as the program's default says. Lengths are in the scan's units.
-
-    Raises TypeError for a value of a wrong type.
-    """
-
-    beta: float | None = None
-    """Gradient scale, 0 to 10: below 1 smooths, 1 keeps, above 1 sharpens."""
-    alpha: float | None = None
-    """Fidelity weight times L, 0.01 to 1e5: the larger, the finer the detail that is changed."""
-    wavelength: float | None = None
-    """Fidelity as a length: at beta 0 this wave is halved."""
-    curve: TransferCurve | None = None
-    """Alpha by curvature."""
-    preset: str | None = None
-    """A preset of the window by its name."""
-    strength: float | None = None
-    """How much of the preset, 0 to 1."""
-    bands: Sequence[Band] = ()
-    """Gains by the size of details, at most 6."""
-    colour_beta: float | None = None
-    colour_alpha: float | None = None
-    keep_edges: str | None = None
-    """Takes noise away and keeps edges before beta smooths or sharpens: "machined", "scanner",
-    "soft" or "relief", or "auto", as the scan's own noise asks."""
-    edge_strength: float | None = None
-    """How much of it, 0 to 1."""
-    edge_angle: float | None = None
-    """Degrees, 5 to 120: sharper bends are edges."""
-    edge_passes: int | None = None
-    """1 to 100: more take away longer noise."""
-    crispness: float | None = None
-    """0 to 1: low for relief, high for machined parts."""
-    controls: Controls | None = None
-    depth: int | None = None
-    """Of the grid, 4 to 12."""
-    exact: bool = False
-    """Solve to the accuracy of final results."""
-    cycles: int | None = None
-    """Solve with exactly so many cycles."""
-
-    def __post_init__(self) -> None:
-        check_fields(self, optional=True, beta=float, alpha=float, wavelength=float,
-                     curve=TransferCurve, preset=str, strength=float, colour_beta=float,
-                     colour_alpha=float, keep_edges=str, edge_strength=float, edge_angle=float,
-                     edge_passes=int, crispness=float, controls=Controls, depth=int, cycles=int)
-        check_fields(self, exact=bool)
-        check_all("Options: bands", self.bands, Band)
-
-    def words(self) -> list[str]:
-        """Returns the options of `burnish filter`."""
-        given = {"beta": self.beta, "alpha": self.alpha, "wavelength": self.wavelength,
-                 "preset": self.preset, "strength": self.strength,
-                 "colour-beta": self.colour_beta, "colour-alpha": self.colour_alpha,
-                 "keep-edges": self.keep_edges, "edge-strength": self.edge_strength,
-                 "edge-angle": self.edge_angle, "edge-passes": self.edge_passes,
-                 "crispness": self.crispness,
-                 "depth": self.depth, "cycles": self.cycles}
-        words = [f"--{name}={value}" for name, value in given.items() if value is not None]
-        words += [f"--band={float(band.size)!r}:{float(band.gain)!r}" for band in self.bands]
-        if self.curve is not None:
-            points = sorted(self.curve.points.items())
-            words.append("--curve=" + ",".join(f"{float(kappa)!r}:{float(alpha)!r}"
-                                                 for kappa, alpha in points))
-        if self.controls is not None:
-            words += [f"--pin-rims={'on' if self.controls.pin_rims else 'off'}",
-                      f"--keep-volume={'on' if self.controls.keep_volume else 'off'}"]
-            words += [f"--cap={float(self.controls.cap)!r}"] if self.controls.cap else []
-        return words + (["--exact"] if self.exact else [])
 
 
 @dataclasses.dataclass(frozen=True)
@@ -114,23 +44,25 @@ class Filtered:
     box's diagonal), seconds."""
 
 
+@shows_options
 def filter(source: PathLike, target: PathLike, *, progress: Progress | None = None,
-           overwrite: bool = True, **options: Any) -> Filtered:
+           overwrite: bool = True, **options: Unpack[OptionWords]) -> Filtered:
     """Edits a mesh file and writes `target`. `options` are the fields of Options.
 
     In the format of `source` the file keeps all that it has. With `overwrite=False` a file that is
     there stays, and the outcome is "skipped". Raises Refused, Error.
     """
-    one, = _run([source, target], [] if overwrite else ["--no-clobber"], Options(**options),
+    one, = _run([source, target], [] if overwrite else ["--no-clobber"], options_of(options),
                 progress)
     if one.error is not None:
         raise one.error
     return one
 
 
+@shows_options
 def filter_all(sources: Sequence[PathLike], folder: PathLike, *,
                progress: Progress | None = None, overwrite: bool = True,
-               **options: Any) -> list[Filtered]:
+               **options: Unpack[OptionWords]) -> list[Filtered]:
     """Edits files, and writes each under its name into `folder`, which is made.
 
     A file that fails does not end the work: its entry has the error. Each file has a process of its
@@ -144,7 +76,7 @@ def filter_all(sources: Sequence[PathLike], folder: PathLike, *,
     done: list[Filtered] = []
     for source in sources:
         try:
-            done += _run([source], words, Options(**options), progress)
+            done += _run([source], words, options_of(options), progress)
         except _Ended as error:
             target = pathlib.Path(folder) / pathlib.Path(source).name
             done.append(Filtered(pathlib.Path(source), target, "failed", error, {}))
@@ -157,17 +89,18 @@ class _Ended(Error):
 
 @overload
 def filter_vertices(vertices: npt.ArrayLike, faces: Any, *, colours: None = None,
-                    progress: Progress | None = None, **options: Any) -> npt.NDArray[Any]: ...
+                    progress: Progress | None = None, **options: Unpack[OptionWords]) -> npt.NDArray[Any]: ...
 
 
 @overload
 def filter_vertices(vertices: npt.ArrayLike, faces: Any, *, colours: npt.ArrayLike,
                     progress: Progress | None = None,
-                    **options: Any) -> tuple[npt.NDArray[Any], npt.NDArray[Any]]: ...
+                    **options: Unpack[OptionWords]) -> tuple[npt.NDArray[Any], npt.NDArray[Any]]: ...
 
 
+@shows_options
 def filter_vertices(vertices: Any, faces: Any, *, colours: Any = None,
-                    progress: Progress | None = None, **options: Any) -> Any:
+                    progress: Progress | None = None, **options: Unpack[OptionWords]) -> Any:
     """Returns the vertices of an edited surface, n x 3, in the order and float type of `vertices`.
 
     `faces`: m x 3, m x 4, m x k with -1 behind a face's last vertex, flat as VTK has them
@@ -176,7 +109,7 @@ def filter_vertices(vertices: Any, faces: Any, *, colours: Any = None,
     `options` are the fields of Options. Raises ValueError, TypeError for arrays that are not a
     surface; Refused, Error.
     """
-    file, chosen = ArrayFile(vertices, faces, colours), Options(**options)
+    file, chosen = ArrayFile(vertices, faces, colours), options_of(options)
     with tempfile.TemporaryDirectory(prefix="burnish-") as folder:
         source, target = pathlib.Path(folder) / "in.ply", pathlib.Path(folder) / "out.ply"
         source.write_bytes(file.to_bytes())
@@ -190,7 +123,8 @@ def filter_vertices(vertices: Any, faces: Any, *, colours: Any = None,
     return places if edited is None else (places, edited)
 
 
-def filter_mesh(mesh: AnyMesh, *, progress: Progress | None = None, **options: Any) -> AnyMesh:
+@shows_options
+def filter_mesh(mesh: AnyMesh, *, progress: Progress | None = None, **options: Unpack[OptionWords]) -> AnyMesh:
     """Returns an edited copy of a mesh, of the same type; the given one stays as it is.
 
     `mesh` is a Mesh, or one of trimesh, Open3D, PyVista, VTK, meshio, PyMeshLab or Blender. What

@@ -1,5 +1,7 @@
 """Filters on this computer, without a server."""
 
+import dataclasses
+import inspect
 import os
 import pathlib
 import subprocess
@@ -11,6 +13,7 @@ import numpy as np
 
 import burnish
 import scan
+from burnish.options import OptionWords
 
 QUICK = {"depth": 4, "cycles": 1}
 
@@ -66,7 +69,7 @@ class Filter(unittest.TestCase):
             burnish.filter(self.source, out, beta=11)
         with self.assertRaisesRegex(burnish.FailedPrecondition, "colours"):
             burnish.filter(self.source, out, colour_beta=0.5, **QUICK)
-        with self.assertRaises(TypeError):
+        with self.assertRaisesRegex(TypeError, "betta is not an option.*beta, alpha"):
             burnish.filter(self.source, out, betta=1)
         self.assertFalse(out.exists())
 
@@ -85,6 +88,16 @@ class Filter(unittest.TestCase):
                 self.assertIn(word, str(raised.exception))
         burnish.filter(self.source, out, beta=np.float32(0.5), depth=np.int64(4), cycles=1)
         self.assertTrue(out.exists())
+
+    def test_options_are_seen_by_help_and_by_checkers_of_types(self):
+        fields = {field.name: field.type for field in dataclasses.fields(burnish.Options)}
+        self.assertEqual(fields, {name: kind.__forward_arg__ for name, kind in
+                                  OptionWords.__annotations__.items()})
+        for function in (burnish.filter, burnish.filter_all, burnish.filter_mesh,
+                         burnish.filter_vertices):
+            shown = inspect.signature(function).parameters
+            self.assertLessEqual(fields.keys(), shown.keys())
+            self.assertNotIn("options", shown)
 
     def test_an_error_of_a_mesh_names_no_file_that_its_user_does_not_know(self):
         flat = burnish.Mesh([[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 2]])
