@@ -1,0 +1,131 @@
+"""A mesh object of Blender, and the live session that moves a shape key of it."""
+
+import contextlib
+
+import numpy as np
+
+import burnish
+
+KEY = "Burnish"
+
+
+def places_of(mesh):
+    """Returns a mesh's own positions, n x 3."""
+    found = np.empty(3 * len(mesh.vertices), np.float32)
+    mesh.vertices.foreach_get("co", found)
+    return found.reshape(-1, 3)
+
+
+def triangles_of(mesh):
+    """Returns m x 3 indices of vertices. Polygons are split as Blender draws them."""
+    mesh.calc_loop_triangles()
+    found = np.empty(3 * len(mesh.loop_triangles), np.int32)
+    mesh.loop_triangles.foreach_get("vertices", found)
+    return found.reshape(-1, 3)
+
+
+def weights_of(mesh_object, group):
+    """Returns n weights of a vertex group, 0 to 1. Raises ValueError for a name that is none."""
+    index = mesh_object.vertex_groups.find(group)
+    if index < 0:
+        names = ", ".join(one.name for one in mesh_object.vertex_groups) or "no vertex group"
+        raise ValueError(f"'{group}' is not a vertex group: {mesh_object.name} has {names}")
+    weights = np.zeros(len(mesh_object.data.vertices))
+    for vertex in mesh_object.data.vertices:
+        for member in vertex.groups:
+            if member.group == index:
+                weights[vertex.index] = member.weight
+    return weights
+
+
+class Link:
+    """Sends an object's mesh, or joins a session of it; frames move its shape key `Burnish`."""
+
+    def __init__(self, mesh_object, address="", session=""):
+        """`address`: HOST:PORT or unix:PATH; empty starts a server. `session`: one to join, or the name of a
+        new one. Raises burnish.Error; ValueError if the session's scan is another mesh."""
+        self._places = places_of(mesh_object.data)
+        self._name, self._gestures = mesh_object.name, {}
+        with contextlib.ExitStack() as made:
+            self.server = made.enter_context(
+                contextlib.closing(burnish.connect(address) if address else burnish.serve()))
+            self.session = self._open(mesh_object, session)
+            self.live = made.enter_context(self.session.live(vertices=self._places))
+            scan = self.server.scan(self.session.scan_id)
+            self._prepared = scan.prepared(self.session.depth)
+            self._made = made.pop_all()
+        self._key = shape_key_of(mesh_object)
+
+    def _open(self, mesh_object, name):
+        if name in {one.name for one in self.server.sessions()}:
+            return self.server.session(name)
+        mesh = burnish.Mesh(self._places, triangles_of(mesh_object.data))
+        return self.server.open_session(self.server.import_scan(mesh, mesh_object.name), name)
+
+    def close(self):
+        """Leaves the session; a server of one's own ends. The shape key stays."""
+        self._made.close()
+
+    def update(self, mesh_object):
+        """Puts the newest frame into the shape key. Returns whether there was one."""
+        frame = self.live.poll()
+        if frame is not None:
+            self._write(mesh_object, frame.vertices)
+        return frame is not None
+
+    def show(self, beta, wavelength):
+        """Lets everybody in the session see the edits; wavelength 0: as the session has it."""
+        for change in self._changes(beta, wavelength):
+            self._gesture(type(change)).show(change)
+
+    def keep(self, beta, wavelength):
+        """Applies the edits."""
+        for change in self._changes(beta, wavelength):
+            self._gesture(type(change)).keep(change)
+        self._gestures.clear()
+
+    def drop(self):
+        """Shows the session without the edits that were shown and not kept."""
+        for gesture in self._gestures.values():
+            gesture.drop()
+        self._gestures.clear()
+
+    def paint(self, mesh_object, group, beta):
+        """Applies a gradient scale to a vertex group: a weight of 1 is `beta`, vertices of 0 stay."""
+        weights = weights_of(mesh_object, group)
+        betas = np.where(weights > 0, 1 + weights * (beta - 1), np.nan)
+        self.live.apply(self.live.cell_fields(betas))
+
+    def undo(self):
+        """Undoes the newest edit of this user."""
+        self.session.undo()
+
+    def finish(self, mesh_object):
+        """Solves to the accuracy of final results, and puts all digits into the shape key."""
+        self._write(mesh_object, self.session.mesh(exact=True).vertices)
+
+    def _changes(self, beta, wavelength):
+        changes = [burnish.GradientScale(beta)]
+        if wavelength > 0:
+            changes.append(burnish.TransferCurve.constant(self._prepared.alpha_of(wavelength)))
+        return changes
+
+    def _gesture(self, kind):
+        if kind not in self._gestures:
+            self._gestures[kind] = self.live.gesture()
+        return self._gestures[kind]
+
+    def _write(self, mesh_object, vertices):
+        shape_key_of(mesh_object).data.foreach_set("co", np.float32(vertices).ravel())
+        mesh_object.data.update()
+
+
+def shape_key_of(mesh_object):
+    """Returns the object's shape key `Burnish`; makes it, and shows it, if there is none."""
+    keys = mesh_object.data.shape_keys
+    if keys is None:
+        mesh_object.shape_key_add(name="Basis", from_mix=False)
+        keys = mesh_object.data.shape_keys
+    if KEY not in keys.key_blocks:
+        mesh_object.shape_key_add(name=KEY, from_mix=False).value = 1
+    return keys.key_blocks[KEY]

@@ -1,0 +1,48 @@
+"""The add-on for Blender, in a Blender without a window."""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+HERE = pathlib.Path(__file__).parent
+PACK = HERE.parents[2] / "client" / "blender" / "pack"
+
+
+class Blender(unittest.TestCase):
+    def test_a_mesh_is_sent_edited_live_kept_painted_and_finished(self):
+        if shutil.which("blender") is None:
+            self.skipTest("blender is not installed: deploy/setup --libraries installs it")
+        with tempfile.TemporaryDirectory(prefix="burnish-") as folder:
+            subprocess.run([PACK, f"{folder}/burnish_live.zip"], check=True, stdout=subprocess.DEVNULL)
+            code = ("import os, sys; sys.path[:0] = os.environ['PYTHONPATH'].split(':'); "
+                    f"exec(compile(open({str(HERE / 'blender_scene.py')!r}).read(), 'scene', 'exec'))")
+            done = subprocess.run(
+                ["blender", "--background", "--factory-startup", "--python-exit-code", "1",
+                 "--python-expr", code, "--", folder], capture_output=True, text=True, check=False,
+                env={**os.environ, "HOME": folder, "BLENDER_USER_SCRIPTS": folder})
+        lines = [line for line in done.stdout.splitlines() if line.startswith("FACTS ")]
+        self.assertEqual(len(lines), 1, done.stdout + done.stderr)
+        self.check(json.loads(lines[0][6:]))
+
+    def check(self, facts):
+        self.assertGreater(facts["slider moves the key"], 0.01)
+        self.assertLess(facts["slider takes it back"], 0.001)
+        self.assertEqual(facts["edits before keep"], 0)
+        self.assertEqual(facts["edits after keep"], ["gradient scale", "transfer curve"])
+        self.assertLess(facts["edit of another is seen"], 0.001)
+        self.assertGreater(facts["who joins sees the edits"], 0.005)
+        self.assertIn("those of the imported file", facts["another mesh"])
+        inside, outside = facts["group"]
+        self.assertGreater(inside, 5 * outside)
+        self.assertIn("'none' is not a vertex group", facts["wrong group"])
+        self.assertLess(facts["exact"], 1e-6)
+        self.assertTrue(facts["basis stays"])
+        self.assertEqual(facts["links"], 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
