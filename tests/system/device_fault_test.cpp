@@ -2,7 +2,6 @@
 // it.
 
 #include <cmath>
-#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -58,7 +57,7 @@ class DeviceFault : public testing::Test {
   Health end_of_health() {
     const auto channel = wire_channel(server_->address);
     EXPECT_EQ(health_of(channel), Health::kServing);
-    server_->process->signal(SIGUSR1);
+    server_->arm_fault();
     const auto fault = Clock::now();
     Health health = Health::kServing;
     while (health == Health::kServing && Clock::now() < fault + kPatience)

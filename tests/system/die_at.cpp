@@ -1,6 +1,7 @@
 // Loaded into a burnish-server under test (LD_PRELOAD). After SIGUSR1 it kills the server at the
 // BURNISH_DIE_COUNT-th arrival at the point BURNISH_DIE_AT: before or after a sync or a rename.
-// At the point "failed sync" the server lives on: the sync is done, and fails with EIO.
+// At the point "failed sync" the server lives on: the sync of a journal's log is done, and fails
+// with EIO.
 
 #include <atomic>
 #include <cerrno>
@@ -8,12 +9,16 @@
 #include <cstdlib>
 #include <cstring>
 #include <dlfcn.h>
+#include <string>
+#include <string_view>
 #include <unistd.h>
 
 static std::atomic<int> left{-1};  // arrivals until the kill; negative: not armed
 
 static void arm(int) {
   left = std::atoi(std::getenv("BURNISH_DIE_COUNT"));
+  static const char said[] = "armed\n";
+  (void)!::write(STDERR_FILENO, said, sizeof(said) - 1);
 }
 
 __attribute__((constructor)) static void listen_for_signal() {
@@ -37,9 +42,17 @@ static int between(const char* before, const char* after, Function real, Argumen
   return result;
 }
 
+// A checkpoint of SQLite and a prepared file are synced too, and nobody waits for these.
+static bool is_log_of_a_journal(int file) {
+  char path[4096];
+  const std::string link = "/proc/self/fd/" + std::to_string(file);
+  const ssize_t length = ::readlink(link.c_str(), path, sizeof(path));
+  return length > 0 && std::string_view(path, size_t(length)).ends_with("-wal");
+}
+
 static int sync(int (*real)(int), int file) {
   const int result = between("before sync", "after sync", real, file);
-  if (!is_wanted("failed sync")) return result;
+  if (!is_log_of_a_journal(file) || !is_wanted("failed sync")) return result;
   errno = EIO;
   return -1;
 }

@@ -1,7 +1,6 @@
 // A commit whose outcome nobody knows, in a real server: the sync of the journal is done, and
 // fails. Clients come back and send again, and the edit is there once.
 
-#include <csignal>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -106,7 +105,7 @@ TEST_F(DoubtTest, AnEditInDoubtComesAgainAndIsThereOnce) {
   DoubtingClient bob(server_->address, "bob", milliseconds(20));
   ann.slide("a", 0.5);
   EXPECT_TRUE(ann.until([&] { return ann.answers.size() == 1; }));
-  server_->process->signal(SIGUSR1);
+  server_->arm_fault();
   ann.slide("b", 2);
   EXPECT_TRUE(ann.until([&] { return ann.answers.size() == 2; }));
   EXPECT_GE(ann.welcomes, 2);
@@ -120,7 +119,7 @@ TEST_F(DoubtTest, ACommitInDoubtThatSurvivesACrashIsKnownWhenItsEditComesAgain) 
   DoubtingClient ann(server_->address, "ann", milliseconds(15'000));
   ann.slide("a", 0.5);
   EXPECT_TRUE(ann.until([&] { return ann.answers.size() == 1; }));
-  server_->process->signal(SIGUSR1);
+  server_->arm_fault();
   ann.slide("b", 2);
   EXPECT_TRUE(ann.until([&] { return !ann.is_live; }));
   server_->kill();

@@ -130,7 +130,7 @@ class KilledServer {
     server_.start();
     ::unsetenv("LD_PRELOAD");
     wait_until_back();
-    server_.process->signal(SIGUSR1);
+    server_.arm_fault();
     const auto import = server_.start_burnish({"import", other_scan_, "--name", "other"});
     const Clock::time_point end = Clock::now() + kPatience;
     while (!server_.process->wait(milliseconds(0)) && Clock::now() < end) edit_for(milliseconds(5));

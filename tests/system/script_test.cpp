@@ -245,7 +245,7 @@ TEST(Script, AnEditThatCouldNotBeSavedIsAFailure) {
   setenv("BURNISH_DIE_COUNT", "1", 1);
   server.start();
   unsetenv("LD_PRELOAD");
-  server.process->signal(SIGUSR1);
+  server.arm_fault();
   const CommandOutcome outcome = run_script(server, "join work\nbeta 0.5\n", {"--timeout", "3"});
   EXPECT_EQ(server.process->wait(kPatience), 128 + SIGKILL);
   EXPECT_EQ(outcome.exit_code, 1) << outcome.output;

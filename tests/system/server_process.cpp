@@ -33,6 +33,12 @@ void ServerProcess::kill() {
   process->wait(kPatience);
 }
 
+void ServerProcess::arm_fault() {
+  process->signal(SIGUSR1);
+  const bool is_heard = process->wait_for_output("armed\n", kPatience);
+  BURNISH_CHECK(is_heard || process->wait({}), process->output());
+}
+
 std::unique_ptr<Process> ServerProcess::start_burnish(std::vector<std::string> words) {
   words.insert(words.begin(), BURNISH_BINARY);
   words.insert(words.end(), {"--server", address});

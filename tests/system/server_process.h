@@ -31,6 +31,10 @@ class ServerProcess {
   /// Sends SIGKILL and waits for the end.
   void kill();
 
+  /// Sends SIGUSR1 to a server with a library of faults (die_at.cpp, fault_on_signal.cu), and waits
+  /// until it is heard: edits that are sent next could be faster.
+  void arm_fault();
+
   /// Runs `burnish WORDS... --server HERE` to its end.
   CommandOutcome burnish(std::vector<std::string> words);
 
