@@ -128,6 +128,7 @@ void Document::redo() {
 void Document::begin_stroke(BrushMode mode, const Vec3d& point, double pressure) {
   brush_.begin(mode, point, pressure);
   goes_on_ = false;
+  if (brush_.brush.edges && edges() == EdgeFilter{}) noise_.ask();
   show_begun_stroke();
 }
 
@@ -172,7 +173,12 @@ void Document::tint_dab(const Brush& brush, const Vec3d& centre) {
 
 void Document::end_stroke() {
   const std::string id = std::exchange(gesture_, {});
-  send_stroke(id, brush_.end());
+  const Stroke stroke = brush_.end();
+  const auto filter = stroke.brush.edges ? filter_for_paint() : std::nullopt;
+  paints_for_noise_ = stroke.brush.edges && noise_.is_asking();
+  if (filter) send(SetEdges{*filter});
+  send_stroke(id, stroke);
+  if (filter) undo_steps_.join_last_two();
   if (goes_on_) undo_steps_.join_last_two();
 }
 

@@ -127,7 +127,7 @@ class Document {
   /// Has the server measure the scan's noise, and then keeps edges as it proposes. Changes nothing
   /// if there is no noise to speak of, or if the user sets other edges meanwhile.
   void keep_edges_by_noise();
-  bool waits_for_noise() const { return waits_for_noise_; }
+  bool waits_for_noise() const { return waits_for_noise_ || paints_for_noise_; }
   /// Returns whether edges are kept as the scan's noise asks, at any strength.
   bool keeps_edges_by_noise() const;
   const ScanNoise& noise() const { return noise_; }
@@ -150,7 +150,8 @@ class Document {
   const BrushTool& brush() const { return brush_; }
   /// While there is a plane, each stroke is also painted on its other side.
   std::optional<MirrorPlane> mirror;
-  // A pen's pressure is 0 to 1. A gesture is several strokes where the pressure changes.
+  // A pen's pressure is 0 to 1. A gesture is several strokes where the pressure changes. A stroke of
+  // kept edges takes the filter that the scan's noise asks for, until somebody chooses one.
   void begin_stroke(BrushMode mode, const Vec3d& point, double pressure = 1);
   void extend_stroke(const Vec3d& point, double pressure = 1);
   void end_stroke();
@@ -233,6 +234,7 @@ class Document {
   void refresh_history();
   void take_rims(const SessionState& state);
   void take_noise();
+  std::optional<EdgeFilter> filter_for_paint() const;
   void renew_pages();
   Over over_now() const;
   void forget_over();
@@ -295,7 +297,8 @@ class Document {
   std::shared_ptr<Fetch> history_fetch_ = std::make_shared<Fetch>();
   Measuring measuring_;
   ScanNoise noise_;
-  bool waits_for_noise_ = false;  // the edges that it proposes will be kept
+  bool waits_for_noise_ = false;   // the edges that it proposes will be kept
+  bool paints_for_noise_ = false;  // a stroke of kept edges came before the noise was known
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  // completions may outlive us
   std::unique_ptr<LiveLink> live_;                              // its thread calls the wake
   std::unique_ptr<PagedSurface> surface_;                       // last: it uses live_

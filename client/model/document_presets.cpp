@@ -33,12 +33,26 @@ void Document::keep_edges_by_noise() {
 
 // A commit would end a drag or a stroke, so the answer waits for their end.
 void Document::take_noise() {
-  if (!waits_for_noise_ || noise_.is_asking() || !gesture_.empty()) return;
-  waits_for_noise_ = false;
+  if (noise_.is_asking() || !gesture_.empty()) return;
+  const bool is_painted = std::exchange(paints_for_noise_, false);
+  if (!std::exchange(waits_for_noise_, false)) {
+    const auto filter = is_painted ? filter_for_paint() : std::nullopt;
+    if (filter) send(SetEdges{*filter});
+    return;
+  }
   const auto& proposal = noise_.proposal();
   if (!proposal) return;
   if (proposal->filter.is_on()) return keep_edges(proposal->filter);
   log_.info(noise_text(*this));
+}
+
+// Strength 0 stays: only what is painted is denoised.
+std::optional<EdgeFilter> Document::filter_for_paint() const {
+  const auto& proposal = noise_.proposal();
+  if (!proposal || !proposal->filter.is_on() || edges() != EdgeFilter{}) return std::nullopt;
+  EdgeFilter filter = proposal->filter;
+  filter.strength = 0;
+  return filter;
 }
 
 bool Document::keeps_edges_by_noise() const {

@@ -85,10 +85,12 @@ Status ScriptRunner::run_line(const ScriptLine& line) {
   if (command == "size") return run_size(line);
   if (is_view_command(command)) return run_view(line);
   RETURN_IF_ERROR(change_document(line, *document));
-  if (command == "keep_edges")
-    return update_document_until([](const Document& of) { return !of.waits_for_noise(); },
-                                 "measuring the noise");
-  return update();
+  return command == "keep_edges" ? wait_for_noise() : update();
+}
+
+Status ScriptRunner::wait_for_noise() {
+  return update_document_until([](const Document& of) { return !of.waits_for_noise(); },
+                               "measuring the noise");
 }
 
 // Waits for acknowledgements: a server that answers acknowledges at once.

@@ -53,6 +53,7 @@ class ScriptRunner {
   /// Likewise, for the open session. Fails: failed_precondition if somebody closes it.
   Status update_document_until(const std::function<bool(const Document&)>& done,
                                const std::string& what);
+  Status wait_for_noise();
   Status update();
 
   Workspace& workspace_;

@@ -47,7 +47,7 @@ Status ScriptRunner::run_pointer(const ScriptLine& line) {
   viewport.release(button);
   RETURN_IF_ERROR(update());
   viewport.leave();
-  return Status::ok();
+  return wait_for_noise();
 }
 
 Status ScriptRunner::take_screenshot(const std::filesystem::path& path) {

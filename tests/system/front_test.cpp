@@ -438,6 +438,43 @@ TEST_F(FrontService, APresetOfEdgesThatIsRefusedChangesNothing) {
   EXPECT_EQ(owner_.history("clean")->size(), 1u);
 }
 
+TEST_F(FrontService, TheBrushKeepsEdgesAsTheNoiseAsksUntilSomebodyChooses) {
+  ASSERT_TRUE(open_part());
+  const auto drag = [this] {
+    const auto is_drawing = [this] {
+      front_.tick(std::chrono::steady_clock::now());
+      return front_.workspace().document()->brush().is_drawing();
+    };
+    for (double x = 100; x < 300; x += 10) {  // the part has a bore
+      point("press", x, 150);
+      if (is_drawing()) return point("release", x, 150);
+      point("release", x, 150);
+    }
+    FAIL() << "the pointer meets no surface";
+  };
+  const auto has = [this](size_t edits) {
+    return until([&] { return is_settled() && document()["history"].size() == edits; });
+  };
+  ASSERT_TRUE(until([this] { return front_.workspace().document()->is_picture_settled(); }));
+  line("brush 0.1 1 1 smooth edges");
+  drag();  // the noise is not known yet
+  ASSERT_TRUE(has(2));
+  EXPECT_EQ(document()["edges"]["strength"], 0);
+  EXPECT_EQ(kept_edges(), "machined");
+  line("undo");
+  line("undo");
+  ASSERT_TRUE(until([this] { return is_settled() && kept_edges() != "machined"; }));
+  drag();
+  ASSERT_TRUE(until([this] { return is_settled() && kept_edges() == "machined"; }));
+  line("undo");
+  ASSERT_TRUE(until([this] { return is_settled() && kept_edges() != "machined"; }))
+      << "the filter and its stroke are one step";
+  line("edges bilateral 0 50 8 0.5");
+  drag();
+  ASSERT_TRUE(has(6));
+  EXPECT_EQ(document()["edges"]["angle"], 50);
+}
+
 TEST_F(FrontService, EdgesThatAreChosenWhileTheNoiseIsMeasuredStay) {
   ASSERT_TRUE(open_part());
   line("keep_edges auto");
