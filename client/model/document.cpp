@@ -102,6 +102,17 @@ void Document::commit(Change change) {
   commit_together({std::move(change)});
 }
 
+void Document::edit(Change change) {
+  if (const auto* stroke = std::get_if<Stroke>(&change)) return paint(*stroke);
+  if (const auto* set = std::get_if<SetTransferCurve>(&change)) {
+    curve_.set_curve(set->curve);
+    return commit_curve();
+  }
+  if (std::holds_alternative<Undo>(change)) return undo();
+  if (std::holds_alternative<Redo>(change)) return redo();
+  preview_of(change) ? commit(std::move(change)) : send(std::move(change));
+}
+
 // The first edit ends a drag, so it is of the value that the drag moved.
 void Document::commit_together(std::vector<Change> changes) {
   std::vector<Edit> edits;

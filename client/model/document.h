@@ -94,6 +94,10 @@ class Document {
   void preview(Change change);
   /// Makes the edit of a drag, or one without a drag.
   void commit(Change change);
+  /// Makes the edit of a command: a stroke is mirrored, an undo takes a whole step back.
+  void edit(Change change);
+  /// The values of the session, as the user or the session set them last.
+  const Settings& settings() const { return settings_; }
   // During a drag, preview the gradient scale and the curve; at its end, commit.
   double beta() const { return settings_.beta; }
   void preview_beta(double beta) { preview(SetGradientScale{beta}); }
@@ -150,8 +154,8 @@ class Document {
   const BrushTool& brush() const { return brush_; }
   /// While there is a plane, each stroke is also painted on its other side.
   std::optional<MirrorPlane> mirror;
-  // A pen's pressure is 0 to 1. A gesture is several strokes where the pressure changes. A stroke of
-  // kept edges takes the filter that the scan's noise asks for, until somebody chooses one.
+  // A pen's pressure is 0 to 1. A gesture is several strokes where the pressure changes. A stroke
+  // of kept edges takes the filter that the scan's noise asks for, until somebody chooses one.
   void begin_stroke(BrushMode mode, const Vec3d& point, double pressure = 1);
   void extend_stroke(const Vec3d& point, double pressure = 1);
   void end_stroke();
@@ -209,7 +213,6 @@ class Document {
   bool has_ended() const { return link_ == LinkState::kEnded; }
 
  private:
-  using Change = decltype(Edit::change);
   // Lies over the surface.
   struct Over {
     bool protection = false;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/base/status.h"
+#include "common/base/text_lines.h"
 
 namespace burnish {
 
@@ -16,7 +17,7 @@ struct ScriptLine {
   std::vector<std::string> words;
 
   /// Returns the text after the command.
-  std::string rest() const;
+  std::string rest() const { return joined(words); }
 };
 
 /// Parses the lines that script_help() describes; '#' begins a comment.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,12 +31,8 @@ struct ChosenPreset {
 /// Fails also: not_found for an unknown name.
 Result<ChosenPreset> parse_preset(std::vector<std::string> words);
 
-/// Parses PIN CAP KEEP. Fails: invalid_argument that names the word.
-Result<Controls> parse_controls(const std::vector<std::string>& words);
-
-/// Parses a line that sets a value which a drag may pass: `beta`, `bands`, `palette`, `colours`.
-/// Returns nothing for other commands. Fails: invalid_argument that names the word;
-/// failed_precondition for colours of a scan without.
-Result<std::optional<Change>> parse_setting(const ScriptLine& line, const Document& document);
+/// Parses a line that is an edit. Fails: as parse_edit() does; failed_precondition for colours of a
+/// scan without.
+Result<Change> parse_change(const ScriptLine& line, const Document& document);
 
 }  // namespace burnish

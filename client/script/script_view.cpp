@@ -10,21 +10,6 @@ namespace burnish {
 static constexpr std::array<std::string_view, 6> kLightCommands = {
     "light", "light_direction", "specular", "occlusion", "radiance", "cavity"};
 
-Result<bool> parse_switch(const std::string& word) {
-  if (word == "on") return true;
-  if (word == "off") return false;
-  return invalid_argument("'" + word + "' is neither on nor off");
-}
-
-Result<std::vector<double>> parse_numbers(const std::vector<std::string>& words, size_t first) {
-  std::vector<double> numbers;
-  for (size_t i = first; i < words.size(); ++i) {
-    ASSIGN_OR_RETURN(const double number, parse_real(words[i]));
-    numbers.push_back(number);
-  }
-  return numbers;
-}
-
 bool is_light_command(std::string_view command) {
   return std::ranges::find(kLightCommands, command) != kLightCommands.end();
 }

@@ -10,12 +10,6 @@
 
 namespace burnish {
 
-/// Fails: invalid_argument unless the word is "on" or "off".
-Result<bool> parse_switch(const std::string& word);
-
-/// Parses all words from `first` on. Fails: invalid_argument that names the word.
-Result<std::vector<double>> parse_numbers(const std::vector<std::string>& words, size_t first);
-
 /// Returns true for the commands of change_lighting().
 bool is_light_command(std::string_view command);
 

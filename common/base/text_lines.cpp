@@ -45,6 +45,27 @@ Result<int> parse_integer(std::string_view word) {
   return parse<int>(word, "an integer");
 }
 
+Result<bool> parse_switch(std::string_view word) {
+  if (word == "on") return true;
+  if (word == "off") return false;
+  return invalid_argument("'" + std::string(word) + "' is neither on nor off");
+}
+
+Result<std::vector<double>> parse_numbers(const std::vector<std::string>& words, size_t first) {
+  std::vector<double> numbers;
+  for (size_t i = first; i < words.size(); ++i) {
+    ASSIGN_OR_RETURN(const double number, parse_real(words[i]));
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
 Result<std::string> read_text_file(const std::filesystem::path& path) {
   ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(path));
   return std::string(file.bytes().begin(), file.bytes().end());

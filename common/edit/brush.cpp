@@ -1,8 +1,8 @@
 #include "common/edit/brush.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
-#include <utility>
 
 #include "common/base/limits.h"
 #include "common/base/text.h"
@@ -13,16 +13,18 @@ namespace burnish {
 
 static constexpr double kEndTolerance = 1e-6;  // of the spacing
 
+// In the order of FallOff.
+static constexpr std::string_view kFallOffs[] = {"smooth", "linear", "sharp", "constant"};
+
 Result<FallOff> parse_fall_off(std::string_view word) {
-  static constexpr std::pair<std::string_view, FallOff> kNames[] = {
-      {"smooth", FallOff::kSmooth},
-      {"linear", FallOff::kLinear},
-      {"sharp", FallOff::kSharp},
-      {"constant", FallOff::kConstant}};
-  for (const auto& [name, fall_off] : kNames)
-    if (name == word) return fall_off;
+  const auto found = std::ranges::find(kFallOffs, word);
+  if (found != std::end(kFallOffs)) return static_cast<FallOff>(found - std::begin(kFallOffs));
   return invalid_argument("fall-off '" + std::string(word) +
                           "' is not smooth, linear, sharp or constant");
+}
+
+std::string_view name_of(FallOff fall_off) {
+  return kFallOffs[static_cast<size_t>(fall_off)];
 }
 
 Status parse_painted(std::string_view word, Brush& brush) {

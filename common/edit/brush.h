@@ -15,6 +15,8 @@ enum class FallOff { kSmooth, kLinear, kSharp, kConstant };
 
 /// Parses "smooth", "linear", "sharp" or "constant". Fails: invalid_argument.
 Result<FallOff> parse_fall_off(std::string_view word);
+/// Returns the word that parse_fall_off() takes.
+std::string_view name_of(FallOff fall_off);
 
 /// The airbrush of section 6.1: a ball in the original geometry that blends its β into the cells.
 /// It may instead paint the gain of a band, where a curve of the palette rules, the gradient scale

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -133,6 +134,12 @@ inline EditKind kind_of(const Edit& edit) {
 
 /// Returns true for edits that fields are made of. The other kinds only say which of these count.
 bool makes_fields(EditKind kind);
+
+/// Returns the number of the kind as an entry of the history, which the protocol's EntryKind has
+/// too; 0 for edits that only switch entries. A number is never used again.
+int entry_number(EditKind kind);
+/// Returns the kind with this number, nothing for another number.
+std::optional<EditKind> kind_of_entry(int number);
 
 /// "slider", "curve", "stroke", "cells", "controls", "protect", "equaliser", "palette",
 /// "colour", "edges", "undo", "redo", "switch", "checkpoint", "restore", "damaged".

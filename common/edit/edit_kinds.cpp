@@ -57,6 +57,7 @@ struct EditKindFacts {
   EditKind kind;
   const char* name;
   bool makes_fields;
+  int entry;  ///< see entry_number()
   Status (*check)(const Change&);
   std::string (*summary)(const Change&);
 };
@@ -64,9 +65,12 @@ struct EditKindFacts {
 /// `check` and `summary` are lambdas without captures that take the kind's own type. A kind that
 /// has another type's place does not compile.
 template <EditKind kKind, typename Check, typename Summary>
-constexpr EditKindFacts facts(const char* name, bool makes_fields, Check, Summary) {
+constexpr EditKindFacts facts(const char* name, bool makes_fields, int entry, Check, Summary) {
   constexpr auto kPlace = static_cast<size_t>(kKind);
-  return {kKind, name, makes_fields,
+  return {kKind,
+          name,
+          makes_fields,
+          entry,
           [](const Change& change) { return Check{}(std::get<kPlace>(change)); },
           [](const Change& change) { return Summary{}(std::get<kPlace>(change)); }};
 }
@@ -76,44 +80,46 @@ constexpr auto kAnyValue = [](const T&) { return Status::ok(); };
 
 constexpr std::array<EditKindFacts, std::variant_size_v<Change>> kEditKinds = {
     facts<EditKind::kGradientScale>(
-        "slider", true, [](const SetGradientScale& change) { return check_beta(change.beta); },
+        "slider", true, 1, [](const SetGradientScale& change) { return check_beta(change.beta); },
         [](const SetGradientScale& change) { return "beta " + number(change.beta); }),
     facts<EditKind::kTransferCurve>(
-        "curve", true, kAnyValue<SetTransferCurve>,  // a curve is checked where it is made
+        "curve", true, 2, kAnyValue<SetTransferCurve>,  // a curve is checked where it is made
         [](const SetTransferCurve& change) { return text_of(change.curve); }),
     facts<EditKind::kStroke>(
-        "stroke", true, [](const Stroke& stroke) { return validate(stroke); },
+        "stroke", true, 3, [](const Stroke& stroke) { return validate(stroke); },
         [](const Stroke& stroke) { return text_of(stroke); }),
     facts<EditKind::kCellFields>(
-        "cells", true, [](const SetCellFields& change) { return check_cells(change); },
+        "cells", true, 4, [](const SetCellFields& change) { return check_cells(change); },
         [](const SetCellFields& change) {
           return "fields of " + count(change.cells.size(), "cell");
         }),
     facts<EditKind::kControls>(
-        "controls", true, [](const SetControls& change) { return check_controls(change.controls); },
+        "controls", true, 7,
+        [](const SetControls& change) { return check_controls(change.controls); },
         [](const SetControls& change) { return text_of(change.controls); }),
     facts<EditKind::kProtect>(
-        "protect", true, [](const Protect& change) { return validate(change); },
+        "protect", true, 8, [](const Protect& change) { return validate(change); },
         [](const Protect& change) { return summary(change); }),
     facts<EditKind::kEqualiser>(
-        "equaliser", true,
+        "equaliser", true, 9,
         [](const SetEqualiser& change) { return check_equaliser(change.equaliser); },
         [](const SetEqualiser& change) { return text_of(change.equaliser); }),
     facts<EditKind::kPalette>(
-        "palette", true, [](const SetPalette& change) { return check_palette(change.palette); },
+        "palette", true, 10, [](const SetPalette& change) { return check_palette(change.palette); },
         [](const SetPalette& change) { return text_of(change.palette); }),
     facts<EditKind::kColour>(
-        "colour", true, [](const SetColour& change) { return check_colour_filter(change.filter); },
+        "colour", true, 11,
+        [](const SetColour& change) { return check_colour_filter(change.filter); },
         [](const SetColour& change) { return text_of(change.filter); }),
     facts<EditKind::kEdges>(
-        "edges", true, [](const SetEdges& change) { return check_edge_filter(change.filter); },
+        "edges", true, 12, [](const SetEdges& change) { return check_edge_filter(change.filter); },
         [](const SetEdges& change) { return text_of(change.filter); }),
-    facts<EditKind::kUndo>("undo", false, kAnyValue<Undo>,
+    facts<EditKind::kUndo>("undo", false, 0, kAnyValue<Undo>,
                            [](const Undo&) { return std::string("undo"); }),
-    facts<EditKind::kRedo>("redo", false, kAnyValue<Redo>,
+    facts<EditKind::kRedo>("redo", false, 0, kAnyValue<Redo>,
                            [](const Redo&) { return std::string("redo"); }),
     facts<EditKind::kSwitchEntry>(
-        "switch", false,
+        "switch", false, 0,
         [](const SwitchEntry& change) {
           return change.entry > 0 ? Status::ok() : invalid_argument("entries are numbered from 1");
         },
@@ -122,19 +128,19 @@ constexpr std::array<EditKindFacts, std::variant_size_v<Change>> kEditKinds = {
                  std::to_string(change.entry);
         }),
     facts<EditKind::kSetCheckpoint>(
-        "checkpoint", false,
+        "checkpoint", false, 5,
         [](const SetCheckpoint& change) {
           return check_name("the checkpoint's name", change.name);
         },
         [](const SetCheckpoint& change) { return change.name; }),
     facts<EditKind::kRestoreCheckpoint>(
-        "restore", false,
+        "restore", false, 0,
         [](const RestoreCheckpoint& change) {
           return check_name("the checkpoint's name", change.name);
         },
         [](const RestoreCheckpoint& change) { return "restore " + change.name; }),
     facts<EditKind::kDamaged>(
-        "damaged", false, [](const Damaged& change) { return data_loss(change.reason); },
+        "damaged", false, 6, [](const Damaged& change) { return data_loss(change.reason); },
         [](const Damaged& change) { return "skipped: " + change.reason; }),
 };
 
@@ -164,6 +170,17 @@ auto fact_of(EditKind kind) {
 
 bool makes_fields(EditKind kind) {
   return fact_of<&EditKindFacts::makes_fields>(kind);
+}
+
+int entry_number(EditKind kind) {
+  return fact_of<&EditKindFacts::entry>(kind);
+}
+
+std::optional<EditKind> kind_of_entry(int number) {
+  const auto& numbers = kColumn<&EditKindFacts::entry>;
+  const auto found = std::ranges::find(numbers, number);
+  if (number <= 0 || found == numbers.end()) return std::nullopt;
+  return static_cast<EditKind>(found - numbers.begin());
 }
 
 const char* edit_kind_name(EditKind kind) {

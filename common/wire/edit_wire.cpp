@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "common/service/scan_info.h"
-#include "common/wire/bands_wire.h"
-#include "common/wire/change_writer.h"
 #include "common/wire/edit_bytes.h"
 #include "common/wire/format_wire.h"
 #include "common/wire/protect_wire.h"
@@ -124,6 +123,78 @@ Status read_change(const v1::Edit& message, Edit& edit) {
   return invalid_argument("it changes nothing that this server knows");
 }
 
+/// Sets the member of the oneof of a message that can have the change: Edit or Preview.
+template <typename Message>
+struct ChangeWriter {
+  Message& message;
+
+  void operator()(const SetGradientScale& change) const {
+    message.mutable_gradient_scale()->set_beta(change.beta);
+  }
+  void operator()(const SetTransferCurve& change) const {
+    *message.mutable_transfer_curve() = to_wire(change.curve);
+  }
+  void operator()(const Stroke& stroke) const { *message.mutable_stroke() = to_wire(stroke); }
+  void operator()(const SetCellFields& change) const {
+    *message.mutable_cell_fields() = to_wire(change, 0, change.cells.size());
+  }
+  void operator()(const SetControls& change) const {
+    *message.mutable_controls() = to_wire(change.controls);
+  }
+  void operator()(const Protect& change) const { *message.mutable_protect() = to_wire(change); }
+  void operator()(const SetEqualiser& change) const {
+    *message.mutable_equaliser() = to_wire(change.equaliser);
+  }
+  void operator()(const SetPalette& change) const {
+    *message.mutable_palette() = to_wire(change.palette);
+  }
+  void operator()(const SetColour& change) const {
+    *message.mutable_colour() = to_wire(change.filter);
+  }
+  void operator()(const SetEdges& change) const {
+    *message.mutable_edges() = to_wire(change.filter);
+  }
+  void operator()(const Undo&) const { message.mutable_undo(); }
+  void operator()(const Redo&) const { message.mutable_redo(); }
+  void operator()(const SwitchEntry& change) const {
+    message.mutable_switch_entry()->set_entry(change.entry);
+    message.mutable_switch_entry()->set_enabled(change.enabled);
+  }
+  void operator()(const SetCheckpoint& change) const {
+    message.mutable_set_checkpoint()->set_name(change.name);
+  }
+  void operator()(const RestoreCheckpoint& change) const {
+    message.mutable_restore_checkpoint()->set_name(change.name);
+  }
+  void operator()(const Damaged&) const {}  // no message carries one
+};
+
+// A message that has the fields of settings: SessionState or HistoryChanged.
+template <typename Message>
+void write_all(const Settings& settings, Message& message) {
+  message.set_gradient_scale(settings.beta);
+  *message.mutable_transfer_curve() = to_wire(settings.curve);
+  *message.mutable_controls() = to_wire(settings.controls);
+  *message.mutable_equaliser() = to_wire(settings.equaliser);
+  *message.mutable_palette() = to_wire(settings.palette);
+  *message.mutable_colour() = to_wire(settings.colour);
+  if (settings.edges != EdgeFilter()) *message.mutable_edges() = to_wire(settings.edges);
+}
+
+template <typename Message>
+Result<Settings> read_all(const Message& message) {
+  ASSIGN_OR_RETURN(TransferCurve curve, from_wire(message.transfer_curve()));
+  ASSIGN_OR_RETURN(Palette palette, from_wire(message.palette()));
+  ASSIGN_OR_RETURN(const EdgeFilter edges, from_wire(message.edges()));
+  return Settings{message.gradient_scale(),
+                  std::move(curve),
+                  from_wire(message.controls()),
+                  from_wire(message.equaliser()),
+                  std::move(palette),
+                  from_wire(message.colour(), message.has_colour()),
+                  message.has_edges() ? edges : EdgeFilter()};
+}
+
 }  // namespace
 
 Status check_edit_id(const std::string& id) {
@@ -180,6 +251,81 @@ Controls from_wire(const v1::Controls& message) {
   return {message.pin_rims(), message.cap(), message.keep_volume()};
 }
 
+v1::Equaliser to_wire(const Equaliser& equaliser) {
+  v1::Equaliser message;
+  for (const Band& band : equaliser.bands) {
+    v1::Band* sent = message.add_bands();
+    sent->set_size(band.size);
+    sent->set_gain(band.gain);
+  }
+  return message;
+}
+
+Equaliser from_wire(const v1::Equaliser& message) {
+  Equaliser equaliser;
+  for (const v1::Band& band : message.bands())
+    equaliser.bands.push_back({band.size(), band.gain()});
+  return equaliser;
+}
+
+v1::Palette to_wire(const Palette& palette) {
+  v1::Palette message;
+  for (const PaletteCurve& curve : palette.curves) {
+    v1::PaletteCurve* sent = message.add_curves();
+    sent->set_name(curve.name);
+    sent->set_colour(curve.colour);
+    *sent->mutable_curve() = to_wire(curve.curve);
+  }
+  return message;
+}
+
+Result<Palette> from_wire(const v1::Palette& message) {
+  Palette palette;
+  for (const v1::PaletteCurve& sent : message.curves()) {
+    const std::string where = "curve " + std::to_string(palette.curves.size() + 1);
+    auto curve = from_wire(sent.curve());
+    if (!curve.is_ok()) return curve.status().with_context(where);
+    palette.curves.push_back({sent.name(), sent.colour(), std::move(curve).value()});
+  }
+  return palette;
+}
+
+v1::ColourFilter to_wire(const ColourFilter& filter) {
+  v1::ColourFilter message;
+  message.set_alpha(filter.alpha);
+  message.set_beta(filter.beta);
+  return message;
+}
+
+ColourFilter from_wire(const v1::ColourFilter& message, bool is_there) {
+  if (!is_there) return {};
+  return {message.alpha(), message.beta()};
+}
+
+v1::EdgeFilter to_wire(const EdgeFilter& filter) {
+  v1::EdgeFilter message;
+  message.set_strength(filter.strength);
+  message.set_kind(filter.kind == NormalFilterKind::kEdges ? v1::NORMAL_FILTER_KIND_EDGES
+                                                           : v1::NORMAL_FILTER_KIND_BILATERAL);
+  message.set_edge_angle(filter.edge_angle);
+  message.set_passes(static_cast<uint32_t>(filter.passes));
+  message.set_crispness(filter.crispness);
+  return message;
+}
+
+Result<EdgeFilter> from_wire(const v1::EdgeFilter& message) {
+  if (message.kind() < v1::NORMAL_FILTER_KIND_UNSPECIFIED ||
+      message.kind() > v1::NORMAL_FILTER_KIND_EDGES)
+    return invalid_argument("filter of normals " + std::to_string(message.kind()) +
+                            " is none of 1 (bilateral), 2 (edges)");
+  constexpr uint32_t kNumbersMax = std::numeric_limits<int>::max();
+  return EdgeFilter{message.strength(),
+                    message.kind() == v1::NORMAL_FILTER_KIND_EDGES ? NormalFilterKind::kEdges
+                                                                   : NormalFilterKind::kBilateral,
+                    message.edge_angle(), static_cast<int>(std::min(message.passes(), kNumbersMax)),
+                    message.crispness()};
+}
+
 v1::SetCellFields to_wire(const SetCellFields& change, size_t first, size_t count) {
   v1::SetCellFields message;
   for (size_t n = first; n < first + count; ++n) {
@@ -211,6 +357,26 @@ v1::Edit to_wire(const Edit& edit) {
   message.set_id(edit.id);
   std::visit(ChangeWriter<v1::Edit>{message}, edit.change);
   return message;
+}
+
+void write_preview(const PreviewChange& change, v1::Preview& message) {
+  std::visit(ChangeWriter<v1::Preview>{message}, change);
+}
+
+void write_settings(const Settings& settings, v1::SessionState& message) {
+  write_all(settings, message);
+}
+
+void write_settings(const Settings& settings, v1::HistoryChanged& message) {
+  write_all(settings, message);
+}
+
+Result<Settings> read_settings(const v1::SessionState& message) {
+  return read_all(message);
+}
+
+Result<Settings> read_settings(const v1::HistoryChanged& message) {
+  return read_all(message);
 }
 
 Result<Edit> from_wire(const v1::Edit& message) {

@@ -1,7 +1,5 @@
 #include "common/wire/history_wire.h"
 
-#include <array>
-#include <optional>
 #include <utility>
 
 #include "common/base/text.h"
@@ -9,43 +7,15 @@
 
 namespace burnish {
 
-// The kinds that entries have; the other edits only switch entries.
-static constexpr std::array<std::pair<EditKind, v1::EntryKind>, 12> kKinds = {{
-    {EditKind::kGradientScale, v1::ENTRY_KIND_GRADIENT_SCALE},
-    {EditKind::kTransferCurve, v1::ENTRY_KIND_TRANSFER_CURVE},
-    {EditKind::kStroke, v1::ENTRY_KIND_STROKE},
-    {EditKind::kCellFields, v1::ENTRY_KIND_CELL_FIELDS},
-    {EditKind::kSetCheckpoint, v1::ENTRY_KIND_CHECKPOINT},
-    {EditKind::kDamaged, v1::ENTRY_KIND_DAMAGED},
-    {EditKind::kControls, v1::ENTRY_KIND_CONTROLS},
-    {EditKind::kProtect, v1::ENTRY_KIND_PROTECT},
-    {EditKind::kEqualiser, v1::ENTRY_KIND_EQUALISER},
-    {EditKind::kPalette, v1::ENTRY_KIND_PALETTE},
-    {EditKind::kColour, v1::ENTRY_KIND_COLOUR},
-    {EditKind::kEdges, v1::ENTRY_KIND_EDGES},
-}};
-
-static v1::EntryKind kind_to_wire(EditKind kind) {
-  for (const auto& [ours, theirs] : kKinds)
-    if (ours == kind) return theirs;
-  return v1::ENTRY_KIND_UNSPECIFIED;
-}
-
 // Older clients refuse kinds that they do not know.
 static v1::EntryKind kind_for_older(v1::EntryKind kind) {
   return kind <= v1::ENTRY_KIND_DAMAGED ? kind : v1::ENTRY_KIND_CELL_FIELDS;
 }
 
-static std::optional<EditKind> known_kind(v1::EntryKind kind) {
-  for (const auto& [ours, theirs] : kKinds)
-    if (theirs == kind) return ours;
-  return std::nullopt;
-}
-
 // A newer server may have kinds that this program does not know; `kind` is as near as it gets.
 static Result<EditKind> kind_from_wire(const v1::HistoryEntry& message) {
-  if (const auto exact = known_kind(message.exact_kind())) return *exact;
-  if (const auto kind = known_kind(message.kind())) return *kind;
+  if (const auto exact = kind_of_entry(message.exact_kind())) return *exact;
+  if (const auto kind = kind_of_entry(message.kind())) return *kind;
   return invalid_argument("history entries of kind " + std::to_string(message.kind()) +
                           " are not known to this program");
 }
@@ -75,7 +45,7 @@ v1::GetHistoryResponse to_wire(const HistoryPage& page) {
     added->set_edit_id(entry.edit_id);
     added->set_author(entry.author);
     added->set_unix_ms(entry.unix_ms);
-    added->set_exact_kind(kind_to_wire(entry.kind));
+    added->set_exact_kind(static_cast<v1::EntryKind>(entry_number(entry.kind)));
     added->set_kind(kind_for_older(added->exact_kind()));
     added->set_summary(entry.summary);
     added->set_enabled(entry.enabled);

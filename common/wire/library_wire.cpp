@@ -2,7 +2,7 @@
 
 #include "common/base/text.h"
 #include "common/transfer/content_hash.h"
-#include "common/wire/bands_wire.h"
+#include "common/wire/edit_wire.h"
 #include "common/wire/format_wire.h"
 
 namespace burnish {

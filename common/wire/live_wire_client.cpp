@@ -2,7 +2,6 @@
 
 #include "common/base/limits.h"
 #include "common/edit/preview_change.h"
-#include "common/wire/change_writer.h"
 #include "common/wire/edit_wire.h"
 #include "common/wire/history_wire.h"
 #include "common/wire/live_wire.h"
@@ -32,7 +31,7 @@ struct ClientWriter {
   void operator()(const Preview& preview) const {
     v1::Preview& sent = *message.mutable_preview();
     sent.set_edit_id(preview.edit_id);
-    std::visit(ChangeWriter<v1::Preview>{sent}, preview.change);
+    write_preview(preview.change, sent);
   }
   void operator()(const DropPreview& drop) const {
     message.mutable_preview()->set_edit_id(drop.edit_id);

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <iterator>
 
+#include "common/wire/edit_wire.h"
 #include "common/wire/history_wire.h"
 #include "common/wire/live_wire.h"
 #include "common/wire/session_wire.h"
-#include "common/wire/settings_wire.h"
 #include "common/wire/status_wire.h"
 
 namespace burnish {

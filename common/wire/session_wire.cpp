@@ -1,9 +1,9 @@
 #include "common/wire/session_wire.h"
 
 #include "common/base/text.h"
+#include "common/wire/edit_wire.h"
 #include "common/wire/format_wire.h"
 #include "common/wire/measures_wire.h"
-#include "common/wire/settings_wire.h"
 
 namespace burnish {
 

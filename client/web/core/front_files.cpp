@@ -4,9 +4,9 @@
 #include <chrono>
 #include <utility>
 
-#include "client/script/script_view.h"
 #include "client/web/core/front_commands.h"
 #include "client/web/core/stored_png.h"
+#include "common/base/text_lines.h"
 
 namespace burnish {
 

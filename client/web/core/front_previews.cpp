@@ -3,6 +3,8 @@
 #include "client/script/script_edits.h"
 #include "client/web/core/front_commands.h"
 #include "common/base/text_lines.h"
+#include "common/edit/edit_lines.h"
+#include "common/edit/preview_change.h"
 
 namespace burnish {
 
@@ -15,12 +17,16 @@ Words words_from(const FrontWords& line, size_t first) {
   return {line.words.begin() + static_cast<std::ptrdiff_t>(first), line.words.end()};
 }
 
+// The pointer draws strokes, and the plot drags the curve.
+bool has_preview(const Change& change) {
+  return std::holds_alternative<SetControls>(change) ||
+         (preview_of(change) && !std::holds_alternative<Stroke>(change) &&
+          !std::holds_alternative<SetTransferCurve>(change));
+}
+
 Status preview(const ScriptLine& line, Document& document) {
   const Words& words = line.words;
-  ASSIGN_OR_RETURN(auto setting, parse_setting(line, document));
-  if (setting) {
-    document.preview(std::move(*setting));
-  } else if (line.command == "preset") {
+  if (line.command == "preset") {
     ASSIGN_OR_RETURN(const ChosenPreset chosen, parse_preset(words));
     document.preview_strength(chosen.preset, chosen.strength);
   } else if (line.command == "fidelity") {
@@ -28,12 +34,12 @@ Status preview(const ScriptLine& line, Document& document) {
     RETURN_IF_ERROR(check_alpha(alpha));
     document.curve().set_fidelity(alpha);
     document.preview_curve();
-  } else if (line.command == "controls") {
-    if (words.size() != 3) return invalid_argument("controls are PIN CAP KEEP");
-    ASSIGN_OR_RETURN(const Controls controls, parse_controls(words));
-    document.preview(SetControls{controls});
-  } else {
+  } else if (!edit_kind_of(line.command)) {
     return invalid_argument("'" + line.command + "' has no preview");
+  } else {
+    ASSIGN_OR_RETURN(Change change, parse_change(line, document));
+    if (!has_preview(change)) return invalid_argument("'" + line.command + "' has no preview");
+    document.preview(std::move(change));
   }
   return Status::ok();
 }
@@ -105,8 +111,7 @@ std::optional<Status> do_preview(const FrontWords& line, Document& document) {
   const Status has_words = need_words(line, 1);
   if (!has_words.is_ok()) return has_words;
   Words words = words_from(line, 1);
-  const bool may_be_empty = line.words[0] == "bands" || line.words[0] == "palette";
-  if (words.empty() && !may_be_empty) return need_words(line, 2);
+  if (words.empty() && !edit_kind_of(line.words[0])) return need_words(line, 2);
   return preview({0, line.words[0], std::move(words)}, document);
 }
 

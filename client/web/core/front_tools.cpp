@@ -2,7 +2,6 @@
 
 #include "client/model/section_view.h"
 #include "client/report/section_file.h"
-#include "client/script/script_view.h"
 #include "client/tools/band_choice.h"
 #include "client/tools/own_presets.h"
 #include "client/web/core/front_commands.h"

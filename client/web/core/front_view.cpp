@@ -1,6 +1,5 @@
 // Lines about how the session is shown.
 
-#include "client/script/script_view.h"
 #include "client/web/core/front_commands.h"
 #include "common/base/text_lines.h"
 
