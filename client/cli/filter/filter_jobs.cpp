@@ -12,16 +12,15 @@ namespace burnish {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-constexpr size_t kPieceBytes = 1 << 20;
-
-/// The name of IN in the folder, with the wanted format.
 std::string name_in_folder(const std::string& in, const FilterOptions& options) {
   fs::path name = fs::path(in).filename();
   if (!options.to.empty()) name.replace_extension(options.to);
   return (fs::path(options.out_dir) / name).string();
 }
+
+namespace {
+
+constexpr size_t kPieceBytes = 1 << 20;
 
 Result<std::vector<FilterJob>> plan_folder(const FilterOptions& options) {
   std::vector<FilterJob> jobs;

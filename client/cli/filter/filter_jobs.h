@@ -17,6 +17,9 @@ struct FilterJob {
   std::string in, out;  ///< as the user names them
 };
 
+/// Returns the name of IN in the folder of the options, with their format.
+std::string name_in_folder(const std::string& in, const FilterOptions& options);
+
 /// Returns one job for IN and OUT, or one for each IN of a folder, in their order.
 /// Fails: invalid_argument (too few files; two files that would have one name; '-' among several).
 Result<std::vector<FilterJob>> plan_jobs(const FilterOptions& options);

@@ -46,14 +46,9 @@ void add_solve_options(CLI::App& command, FilterOptions& options) {
       ->type_name("NAME");
   command.add_option("--threads", options.solver.threads, "Processor cores to use (default: all)")
       ->check(in_range(1, kThreadsMax));
-  CLI::Option* report =
-      command.add_option("--report", options.report_file, "Write a report of the run: FILE.json");
-  command.add_flag("--reports", options.reports, "Write a report beside each OUT: OUT.json")
-      ->excludes(report);
 }
 
 void add_file_options(CLI::App& command, FilterOptions& options) {
-  const std::vector<std::string> formats = {"ply", "obj", "stl", "off", "glb", "gltf", "zip"};
   command
       .add_option("FILES", options.files,
                   "IN and OUT: .ply, .obj, .stl, .off, .glb, .gltf or .zip; '-' is standard input "
@@ -62,15 +57,22 @@ void add_file_options(CLI::App& command, FilterOptions& options) {
   command.add_option("--out-dir", options.out_dir,
                      "Write each file under its own name into this folder, and make it");
   command.add_option("--from", options.from, "Format of standard input")
-      ->check(CLI::IsMember(formats))
+      ->check(CLI::IsMember(format_words()))
       ->capture_default_str();
   command
       .add_option("--to", options.to, "Format in the folder, or of standard output (default: IN's)")
-      ->check(CLI::IsMember(formats));
+      ->check(CLI::IsMember(format_words()));
   CLI::Option* force = command.add_flag(
       "--force", options.force, "Replace IN where OUT is the same file, and files beside OUT");
-  command.add_flag("--no-clobber", options.no_clobber, "Skip each OUT that is there")
-      ->excludes(force);
+  CLI::Option* no_clobber =
+      command.add_flag("--no-clobber", options.no_clobber, "Skip each OUT that is there")
+          ->excludes(force);
+  command.add_flag("--update", options.update, "Skip each OUT that is newer than its IN")
+      ->excludes(no_clobber);
+  CLI::Option* report =
+      command.add_option("--report", options.report_file, "Write a report of the run: FILE.json");
+  command.add_flag("--reports", options.reports, "Write a report beside each OUT: OUT.json")
+      ->excludes(report);
   command.add_flag("--json", options.json, "Print the result as JSON");
   const std::map<std::string, ProgressStyle> styles = {{"text", ProgressStyle::kText},
                                                        {"json", ProgressStyle::kJson}};
@@ -81,12 +83,21 @@ void add_file_options(CLI::App& command, FilterOptions& options) {
 
 }  // namespace
 
+const std::vector<std::string>& format_words() {
+  static const std::vector<std::string> kWords = {"ply", "obj", "stl", "off", "glb", "gltf", "zip"};
+  return kWords;
+}
+
 void add_run_options(CLI::App& command, FilterOptions& options) {
   add_file_options(command, options);
-  command.add_option("--depth", options.prepare.depth, "Octree depth (default: by the mesh)")
-      ->check(in_range(kDepthMin, kDepthMax));
   command.add_flag("--depths", options.depths,
                    "Only tell what each depth would cost: cell size, memory, time to prepare");
+  add_work_options(command, options);
+}
+
+void add_work_options(CLI::App& command, FilterOptions& options) {
+  command.add_option("--depth", options.prepare.depth, "Octree depth (default: by the mesh)")
+      ->check(in_range(kDepthMin, kDepthMax));
   command
       .add_option("--curvature-radius", options.prepare.curvature_radius,
                   "Average the curvature over this fraction of L")

@@ -21,6 +21,7 @@ struct FilterOptions {
   std::string to;                  ///< format in the folder, or of standard output; empty: IN's
   bool force = false;
   bool no_clobber = false;
+  bool update = false;  ///< skip each OUT that is newer than its IN
   bool json = false;
   bool reports = false;  ///< one beside each file that is written
   bool depths = false;
@@ -35,5 +36,10 @@ struct FilterOptions {
 
 /// Adds the files, the filter and how it is solved to a command.
 void add_run_options(CLI::App& command, FilterOptions& options);
+/// Adds the filter and how it is solved alone.
+void add_work_options(CLI::App& command, FilterOptions& options);
+
+/// The words of mesh formats.
+const std::vector<std::string>& format_words();
 
 }  // namespace burnish

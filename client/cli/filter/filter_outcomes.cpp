@@ -56,6 +56,10 @@ static ordered_json outcome_to_json(const FilterOutcome& outcome) {
   return json;
 }
 
+std::string json_of(const FilterOutcome& outcome) {
+  return outcome_to_json(outcome).dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
 void print_outcome(const FilterOutcome& outcome) {
   std::ostream& stream = outcome.job.out == kStandardStream ? std::cerr : std::cout;
   if (outcome.end == FilterEnd::kSkipped) {

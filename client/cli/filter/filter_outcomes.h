@@ -23,6 +23,9 @@ struct FilterOutcome {
 /// that has the mesh.
 void print_outcome(const FilterOutcome& outcome);
 
+/// Returns the outcome as JSON: what print_outcomes_json() prints of each.
+std::string json_of(const FilterOutcome& outcome);
+
 /// Prints all as JSON: {"files": [...]}, with "code" and "message" if the work did not begin.
 void print_outcomes_json(const std::vector<FilterOutcome>& outcomes, const Status& begun);
 
