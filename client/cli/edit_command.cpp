@@ -36,8 +36,7 @@ struct EditedSession {
 Status propose(const std::string& scan, FilterChoice& choice, Connection& connection) {
   if (!choice.asks_for_proposal()) return Status::ok();
   ASSIGN_OR_RETURN(const EdgeProposal proposal, connection.propose_edges(scan, {}));
-  std::cerr << text_of(proposal) << "\n";
-  choice.take(proposal);
+  std::cerr << choice.take(proposal) << "\n";
   return Status::ok();
 }
 

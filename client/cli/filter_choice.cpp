@@ -78,7 +78,8 @@ void add_filter_options(CLI::App& command, FilterChoice& choice) {
 }
 
 void add_edge_options(CLI::App& command, FilterChoice& choice) {
-  std::string presets = std::string("\n") + kAutoEdges + ": as the scan's own noise and edges ask";
+  std::string presets = std::string("\n") + kAutoEdges +
+                        ": as the scan's own noise and edges ask\n" + kNoEdges + ": keeps none";
   for (const EdgePreset& preset : edge_presets())
     presets.append("\n").append(preset.name).append(": ").append(preset.scans);
   CLI::Option* keep =
@@ -88,8 +89,8 @@ void add_edge_options(CLI::App& command, FilterChoice& choice) {
           ->type_name("NAME")
           ->check([](const std::string& name) {
             const Status known = find_edge_preset(name).status();
-            if (known.is_ok() || name == kAutoEdges) return std::string();
-            return usage_message(known) + ", " + kAutoEdges;
+            if (known.is_ok() || name == kAutoEdges || name == kNoEdges) return std::string();
+            return usage_message(known) + ", " + kAutoEdges + ", " + kNoEdges;
           });
   command.add_option("--edge-strength", choice.edge_strength, "How much of it (default 1)")
       ->check(in_range(0.0, 1.0))
@@ -126,9 +127,24 @@ static Status add_layers(const FilterChoice& choice, Changes& changes) {
   return Status::ok();
 }
 
+EdgeFilter FilterChoice::with_own_values(EdgeFilter filter) const {
+  filter.strength = edge_strength.value_or(filter.strength);
+  filter.edge_angle = edge_angle.value_or(filter.edge_angle);
+  filter.passes = edge_passes.value_or(filter.passes);
+  filter.crispness = crispness.value_or(filter.crispness);
+  return filter;
+}
+
+std::string FilterChoice::take(const EdgeProposal& proposal) {
+  proposed_edges = proposal.filter;
+  if (!proposal.filter.is_on()) keep_edges.clear();
+  return text_of(proposal, with_own_values(proposal.filter));
+}
+
 // Without another fidelity waves of some edges are its own.
 static Status add_edges(const FilterChoice& choice, const ScanLengths& scan, Changes& changes) {
-  if (choice.keep_edges.empty()) return Status::ok();
+  if (choice.keep_edges == kNoEdges) changes.emplace_back(SetEdges{});
+  if (!choice.names_edges()) return Status::ok();
   EdgeFilter filter;
   if (choice.asks_for_proposal()) {
     BURNISH_CHECK(choice.proposed_edges, "the front has asked the scan");
@@ -137,11 +153,7 @@ static Status add_edges(const FilterChoice& choice, const ScanLengths& scan, Cha
     ASSIGN_OR_RETURN(const EdgePreset preset, find_edge_preset(choice.keep_edges));
     filter = preset.filter;
   }
-  filter.strength = choice.edge_strength.value_or(filter.strength);
-  filter.edge_angle = choice.edge_angle.value_or(filter.edge_angle);
-  filter.passes = choice.edge_passes.value_or(filter.passes);
-  filter.crispness = choice.crispness.value_or(filter.crispness);
-  changes.emplace_back(SetEdges{filter});
+  changes.emplace_back(SetEdges{choice.with_own_values(filter)});
   if (choice.preset.empty() && !choice.alpha && !choice.wavelength && !choice.curve) {
     BURNISH_CHECK(scan.mean_edge > 0, "the front knows the scan's edges");
     changes.emplace_back(SetTransferCurve{

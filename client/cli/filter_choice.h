@@ -21,20 +21,21 @@ struct FilterChoice {
   Equaliser equaliser;
   std::string palette_file;
   std::optional<double> colour_beta, colour_alpha;
-  std::string keep_edges;  ///< name of an edge preset, or kAutoEdges; empty: edges are not kept
+  std::string keep_edges;  ///< name of an edge preset, kAutoEdges or kNoEdges; empty: as before
   std::optional<EdgeFilter> proposed_edges;  ///< with kAutoEdges, by the scan
   std::optional<double> edge_strength, edge_angle, crispness;
   std::optional<int> edge_passes;
 
   /// Returns whether the edits depend on the scan.
-  bool needs_scan() const { return wavelength || !preset.empty() || !keep_edges.empty(); }
+  bool needs_scan() const { return wavelength || !preset.empty() || names_edges(); }
   bool asks_for_proposal() const { return keep_edges == kAutoEdges; }
-  /// Keeps edges as the scan asks; without noise to speak of it changes nothing.
-  void take(const EdgeProposal& proposal) {
-    proposed_edges = proposal.filter;
-    if (!proposal.filter.is_on()) keep_edges.clear();
-  }
-  bool keeps_edges() const { return !keep_edges.empty() && edge_strength.value_or(1) > 0; }
+  bool names_edges() const { return !keep_edges.empty() && keep_edges != kNoEdges; }
+  bool keeps_edges() const { return names_edges() && edge_strength.value_or(1) > 0; }
+  /// Returns the filter with the values that the user gave.
+  EdgeFilter with_own_values(EdgeFilter filter) const;
+  /// Keeps edges as the scan asks; without noise to speak of it changes nothing. Returns what is
+  /// done, in words.
+  std::string take(const EdgeProposal& proposal);
 };
 
 /// Adds --alpha, --wavelength, --curve, --beta, --preset, --strength, --band, --palette,

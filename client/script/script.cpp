@@ -17,9 +17,8 @@ constexpr CommandForm kOtherCommands[] = {
     {"preset", 1, kAnyWords,
      "preset NAME [STRENGTH]: one of the window's presets, from 0 to 1 of it"},
     {"keep_edges", 1, 1,
-     "keep_edges auto|machined|scanner|soft|relief: noise goes, edges stay, at a fidelity for "
-     "both; "
-     "auto asks the scan's own noise"},
+     "keep_edges auto|off|machined|scanner|soft|relief: noise goes, edges stay, at a fidelity for "
+     "both; auto asks the scan's own noise"},
     {"brush", 3, 6,
      "brush RADIUS STRENGTH BETA [smooth|linear|sharp|constant [WHAT] [through]]: of drag"},
     {"drag", 2, kAnyWords, "drag X Y [X Y]...: paints with the pointer, in pixels of the picture"},

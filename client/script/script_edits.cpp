@@ -50,6 +50,8 @@ Status change_document(const ScriptLine& line, Document& document) {
     document.apply(chosen.preset, chosen.strength);
   } else if (command == "keep_edges" && line.words[0] == kAutoEdges) {
     document.keep_edges_by_noise();
+  } else if (command == "keep_edges" && line.words[0] == kNoEdges) {
+    document.commit(SetEdges{});
   } else if (command == "keep_edges") {
     ASSIGN_OR_RETURN(const EdgePreset preset, find_edge_preset(line.words[0]));
     document.keep_edges(preset.filter);

@@ -49,14 +49,17 @@ TEST_F(FilterCommand, TheScansOwnNoiseSaysHowEdgesAreKept) {
   EXPECT_EQ(read_mesh(out())->vertices, read_mesh(in())->vertices);
   ASSERT_EQ(burnish({"filter", in(), out(), "--beta", "2"}), 0) << output_;
   const auto plain = read_mesh(out())->vertices;
-  ASSERT_EQ(burnish({"filter", in(), out(), "--beta", "2", "--keep-edges", "auto"}), 0) << output_;
-  EXPECT_EQ(read_mesh(out())->vertices, plain);
+  for (const char* const nothing : {"auto", "off"}) {
+    ASSERT_EQ(burnish({"filter", in(), out(), "--beta", "2", "--keep-edges", nothing}), 0)
+        << output_;
+    EXPECT_EQ(read_mesh(out())->vertices, plain);
+  }
 }
 
 TEST_F(FilterCommand, WordsOfKeptEdgesAreChecked) {
   EXPECT_EQ(burnish({"filter", in(), out(), "--keep-edges", "corners"}), 2);
   EXPECT_THAT(output_, HasSubstr("'corners' keeps no edges; there are machined, scanner, soft, "
-                                 "relief, auto"));
+                                 "relief, auto, off"));
   EXPECT_EQ(burnish({"filter", in(), out(), "--keep-edges", "soft", "--edge-angle", "3"}), 2);
   EXPECT_THAT(output_, HasSubstr("3 is outside 5 to 120"));
   EXPECT_EQ(burnish({"filter", in(), out(), "--crispness", "1"}), 2);

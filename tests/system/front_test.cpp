@@ -530,6 +530,15 @@ TEST_F(FrontService, TheCommandKeepsEdgesByTheNoiseThatItSays) {
   EXPECT_EQ(kept.exit_code, 0) << kept.output;
   EXPECT_THAT(kept.output, HasSubstr("machined part: edges kept at strength 1"));
   EXPECT_THAT(kept.output, HasSubstr("2 edits applied"));
+  const CommandOutcome less =
+      server_.burnish({"edit", "clean", "--keep-edges", "auto", "--edge-strength", "0.25"});
+  EXPECT_THAT(less.output, HasSubstr("machined part: edges kept at strength 0.25"));
+  const CommandOutcome none =
+      server_.burnish({"edit", "clean", "--keep-edges", "auto", "--edge-strength", "0"});
+  EXPECT_THAT(none.output, HasSubstr("machined part: edges not kept"));
+  const CommandOutcome off = server_.burnish({"edit", "clean", "--keep-edges", "off"});
+  EXPECT_THAT(off.output, HasSubstr("1 edit applied"));
+  EXPECT_THAT(owner_.history("clean")->back().summary, HasSubstr("edges not kept"));
   const CommandOutcome nothing = server_.burnish({"edit", "work", "--keep-edges", "auto"});
   EXPECT_EQ(nothing.exit_code, 0) << nothing.output;
   EXPECT_THAT(nothing.output, HasSubstr("too little to take away"));

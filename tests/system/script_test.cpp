@@ -160,7 +160,8 @@ TEST(Script, KeptEdgesAreEdits) {
   ServerProcess server;
   const std::string script = "open " + write_sphere(server.folder, 3) +
                              "\nkeep_edges scanner\nwait\nprint\n"
-                             "edges edges 0.5 20 3 0.25\nwait\nprint\nundo\nundo\nwait\nprint\n";
+                             "edges edges 0.5 20 3 0.25\nwait\nprint\n"
+                             "keep_edges off\nwait\nprint\n";
   const CommandOutcome outcome = run_script(server, script);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   const auto scanner =

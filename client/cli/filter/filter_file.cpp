@@ -71,8 +71,7 @@ Status propose(const PreparedMesh& prepared, const Progress& progress, FilterCho
   mesh.triangles = prepared.triangles;
   ASSIGN_OR_RETURN(const auto surface, make_denoise_surface(mesh, {}, progress));
   ASSIGN_OR_RETURN(run.proposal, propose_edges(*surface, {}, progress));
-  choice.take(*run.proposal);
-  std::cerr << text_of(*run.proposal) << "\n";
+  std::cerr << choice.take(*run.proposal) << "\n";
   return Status::ok();
 }
 

@@ -37,7 +37,7 @@ class Options:
     colour_alpha: float | None = None
     keep_edges: str | None = None
     """Takes noise away and keeps edges before beta smooths or sharpens: "machined", "scanner",
-    "soft" or "relief", or "auto", as the scan's own noise asks."""
+    "soft" or "relief", "auto", as the scan's own noise asks, or "off"."""
     edge_strength: float | None = None
     """How much of it, 0 to 1."""
     edge_angle: float | None = None
