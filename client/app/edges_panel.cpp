@@ -65,9 +65,12 @@ void draw_values(Document& document, MessageLog& log) {
 
 void EdgesPanel::draw(Workspace& workspace) {
   Document& document = *workspace.document();
-  ImGui::BeginDisabled(document.is_viewer());
+  const bool stands_beside_bands = !document.equaliser().bands.empty() && !document.edges().is_on();
+  ImGui::BeginDisabled(document.is_viewer() || stands_beside_bands);
   faint_text("%s",
              "Noise goes, edges stay, and what is sharpened is the surface without its noise.");
+  if (stands_beside_bands)
+    faint_text("%s", "Bands have the scan's noise. Remove them to keep edges.");
   draw_presets(document);
   if (const std::string noise = noise_text(document); !noise.empty())
     faint_text("%s", noise.c_str());

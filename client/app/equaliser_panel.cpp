@@ -97,9 +97,13 @@ void EqualiserPanel::draw(Workspace& workspace) {
   Document& document = *workspace.document();
   ImGui::BeginDisabled(document.is_viewer());
   if (document.equaliser().bands.empty()) {
+    const bool keeps_edges = document.edges().is_on();
+    ImGui::BeginDisabled(keeps_edges);
     if (noted("Make bands", ImGui::Button("Make bands", {-1, 0})))
       document.commit(SetEqualiser{first_bands(document.cell_size(), document.diagonal())});
+    ImGui::EndDisabled();
     hint("Splits the surface's detail by size. Each band gets a gain, and a brush can paint it.");
+    if (keeps_edges) faint_text("%s", "Bands have the scan's noise. Keep no edges to make them.");
   } else {
     draw_response(document);
     draw_bands(document, shows_sizes_, workspace.log);

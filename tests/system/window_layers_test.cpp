@@ -71,6 +71,19 @@ TEST_F(LayerWindow, EdgesAreKeptByAPresetAndItsStrengthIsDragged) {
   EXPECT_TRUE(until_it_differs(before, 0.1));
 }
 
+TEST_F(LayerWindow, EdgesCannotBeChosenBesideBands) {
+  open_window();
+  open_panel("Equaliser");
+  click_on("Equaliser/Make bands");
+  EXPECT_THAT(newest_of(1).summary, HasSubstr("bands"));
+  click_on("Equaliser");
+  open_panel("Keep edges");
+  click_on("Keep edges/Kept edges");
+  settle();
+  EXPECT_FALSE(places_->find("Keep edges/Machined part"));
+  save_screen("edges-beside-bands.png");
+}
+
 TEST_F(LayerWindow, EdgesForThisScanAreKeptAsItsNoiseAsks) {
   open_window();
   open_panel("Keep edges");

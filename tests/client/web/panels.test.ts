@@ -285,7 +285,7 @@ test("EdgesAreKeptByAPresetOrByValues", () =>
     await visit.page.getByText("200 is outside 5 to 120").waitFor();
     await choice.selectOption("Off");
     await visit.sent("edges off");
-    await visit.document({ edges: { ...session.edges, strength: 0, preset: "" } });
+    await visit.document({ bands: [], edges: { ...session.edges, strength: 0, preset: "" } });
     await panel.getByRole("combobox", { name: "Kept edges" }).getByText("Off").waitFor({ state: "attached" });
     await panel.getByRole("slider", { name: "Strength of kept edges" }).fill("250");
     await visit.sent("edges bilateral 0.25 35 4 0");
@@ -295,12 +295,13 @@ test("EdgesForThisScanAreAskedOfTheServerWhichSaysTheNoise", () =>
   bench.visitSession(async (visit) => {
     const panel = await visit.section("Keep edges");
     const choice = panel.getByRole("combobox", { name: "Kept edges" });
-    await visit.document({ edges: { ...session.edges, strength: 0, preset: "" } });
+    await visit.document({ bands: [], edges: { ...session.edges, strength: 0, preset: "" } });
     await choice.getByText("Off").waitFor({ state: "attached" });
     await choice.selectOption("For this scan");
     await visit.sent("keep_edges auto");
-    await visit.document({ edges: { ...session.edges, strength: 0, preset: "", noise: "measuring the noise…" } });
-    await panel.getByText("measuring the noise…").waitFor();
+    const noise = "measuring the noise…";
+    await visit.document({ bands: [], edges: { ...session.edges, strength: 0, preset: "", noise } });
+    await panel.getByText(noise).waitFor();
     assert.equal(await choice.inputValue(), "off");
     assert.ok(await choice.isEnabled());
     await visit.document({ edges: { ...session.edges, preset: "auto", noise: "noise about 0.12 mm" } });
@@ -322,9 +323,24 @@ test("EqualiserSendsAllBands", () =>
     await visit.sent("bands 2:1 8:1");
     await panel.getByRole("button", { name: "Remove bands" }).click();
     await visit.sent("bands");
-    await visit.document({ bands: [] });
+    await visit.document({ bands: [], edges: { ...session.edges, strength: 0 } });
     await panel.getByRole("button", { name: "Make bands" }).click();
     await visit.sent("bands first");
+  }));
+
+test("BandsAndKeptEdgesAreNotOfferedBesideEachOther", () =>
+  bench.visitSession(async (visit) => {
+    const edges = await visit.section("Keep edges");
+    const choice = edges.getByRole("combobox", { name: "Kept edges" });
+    const strength = edges.getByRole("slider", { name: "Strength of kept edges" });
+    await visit.document({ edges: { ...session.edges, strength: 0, preset: "" } });
+    await edges.getByText("Remove them to keep edges").waitFor();
+    assert.ok((await choice.isDisabled()) && (await strength.isDisabled()));
+    const bands = await visit.section("Equaliser");
+    await visit.document({ bands: [], edges: session.edges });
+    await bands.getByText("Keep no edges to make them").waitFor();
+    assert.ok(await bands.getByRole("button", { name: "Make bands" }).isDisabled());
+    assert.ok(await choice.isEnabled());
   }));
 
 test("PaletteAddsPaintsAndRemovesCurves", () =>

@@ -5,8 +5,12 @@ import { useLink } from "./context";
 import { Choice, Title } from "./controls";
 import { isViewer, type PanelProps } from "./filter_panel";
 import { Slider, linear, logarithmic, type Scale } from "./slider";
-import type { Edges } from "./snapshot";
+import type { Document, Edges } from "./snapshot";
 import { short } from "./words";
+
+/** The server refuses both together, so here nothing can be kept. */
+const standsBesideBands = ({ bands, edges }: Document) => bands.length > 0 && edges.strength === 0;
+const isDisabled = (document: Document) => isViewer(document) || standsBesideBands(document);
 
 export function EdgesPanel({ document }: PanelProps) {
   const link = useLink();
@@ -21,11 +25,14 @@ export function EdgesPanel({ document }: PanelProps) {
   return (
     <>
       <div class="faint">Noise goes, edges stay, and what is sharpened is the surface without its noise.</div>
+      {standsBesideBands(document) && (
+        <div class="faint">Bands have the scan's noise. Remove them to keep edges.</div>
+      )}
       <Choice
         name="Kept edges"
         value={chosen}
         choices={choices}
-        disabled={isViewer(document)}
+        disabled={isDisabled(document)}
         onChange={(name) => {
           if (name === "off") link.send(command.noEdges());
           else if (name !== "own") link.send(command.keepEdges(name));
@@ -56,7 +63,7 @@ function Value({ document, name, hint, scale, shown, part }: ValueProps) {
         value={shown}
         scale={scale}
         format={short}
-        disabled={isViewer(document)}
+        disabled={isDisabled(document)}
         onMove={(moved) => link.send(command.preview(line(moved)))}
         onDone={(moved) => link.send(line(moved))}
       />

@@ -20,13 +20,18 @@ export function EqualiserPanel({ document }: PanelProps) {
   const bands = document.bands;
   if (bands.length === 0)
     return (
-      <Button
-        label="Make bands"
-        class="wide"
-        hint="Splits the surface's detail by size. Each band gets a gain, and a brush can paint it."
-        disabled={disabled}
-        onClick={() => link.send(command.firstBands())}
-      />
+      <>
+        <Button
+          label="Make bands"
+          class="wide"
+          hint="Splits the surface's detail by size. Each band gets a gain, and a brush can paint it."
+          disabled={disabled || document.edges.strength > 0}
+          onClick={() => link.send(command.firstBands())}
+        />
+        {document.edges.strength > 0 && (
+          <div class="faint">Bands have the scan's noise. Keep no edges to make them.</div>
+        )}
+      </>
     );
   return (
     <>
