@@ -95,6 +95,19 @@ void draw_numbers(Studio& studio) {
   studio.click_on("Numbers/Measure");
 }
 
+/// Keeps edges as the scan asks, and takes that back: bands cannot stand beside it.
+void draw_edges(Studio& studio) {
+  studio.open_section("Keep edges", kLeft, "Keep edges/Kept edges");
+  studio.click_on("Keep edges/Kept edges");
+  studio.click_on("Keep edges/For this scan");
+  studio.rest();
+  studio.scroll_to("Keep edges", kLeft);
+  studio.save_area("edges", "Keep edges");
+  studio.key({"Control_L", "z"});
+  studio.click_on("Keep edges");
+  studio.rest();
+}
+
 void draw_bands(Studio& studio) {
   studio.open_section("Equaliser", kLeft, "Equaliser/Make bands");
   studio.click_on("Equaliser/Make bands");
@@ -211,6 +224,7 @@ void draw_all(const std::filesystem::path& out, int scale, bool is_light) {
   draw_numbers(studio);
   draw_views(studio);
   draw_people(studio);
+  draw_edges(studio);
   draw_bands(studio);
   draw_dialogs(studio);
   draw_colours(studio);
