@@ -1,6 +1,8 @@
 // Measures denoising that keeps edges: errors of normals and places for each shape, noise and
 // preset, of the layer alone and of whole filters; triangles that turn over on odd scans; and CPU
 // seconds. denoise_bench [--out FOLDER] [MESH]... Mesh files are tried as odd scans.
+// denoise_bench --shapes FOLDER writes the shapes, with and without noise, and our results.
+// denoise_bench --measure CLEAN MESH... prints the errors of other results.
 
 #include <algorithm>
 #include <cstdio>
@@ -19,6 +21,7 @@
 #include "common/generate/generate.h"
 #include "common/mesh/mesh_io.h"
 #include "tests/bench/denoise_filter.h"
+#include "tests/bench/denoise_shapes.h"
 #include "tests/bench/report.h"
 #include "tests/bench/timing.h"
 #include "tests/common/denoise/shape_error.h"
@@ -27,7 +30,8 @@ namespace burnish {
 namespace {
 
 struct Arguments {
-  std::string out;
+  std::string out, shapes;
+  bool measures = false;
   std::vector<std::string> meshes;
 };
 
@@ -72,6 +76,11 @@ TriangleMesh shape_of(const Case& of, double deviation) {
 
 std::string noise_of(const Case& of) {
   return of.noise + std::string(" ") + in_words("%g", of.deviation);
+}
+
+Result<NoisyShape> noisy_shape(const Case& of) {
+  ASSIGN_OR_RETURN(const EdgePreset preset, find_edge_preset(of.preset));
+  return NoisyShape{of.kind, noise_of(of), shape_of(of, 0), shape_of(of, of.deviation), preset};
 }
 
 void add_error(const Case& of, const std::string& method, const TriangleMesh& clean,
@@ -155,9 +164,8 @@ Status report_shapes(const char* name, ReportShape report_shape, BenchReport& re
                                               {"volume_percent", "%.2f"},
                                               {"turned_percent", "%.3f"}});
   for (const Case& of : kCases) {
-    ASSIGN_OR_RETURN(const EdgePreset preset, find_edge_preset(of.preset));
-    RETURN_IF_ERROR(report_shape(
-        {of.kind, noise_of(of), shape_of(of, 0), shape_of(of, of.deviation), preset}, table));
+    ASSIGN_OR_RETURN(const NoisyShape shape, noisy_shape(of));
+    RETURN_IF_ERROR(report_shape(shape, table));
   }
   return Status::ok();
 }
@@ -196,11 +204,30 @@ Status report_all(const Arguments& arguments, BenchReport& report) {
   return report.write(arguments.out);
 }
 
+Status write_shapes(const std::string& folder) {
+  for (const Case& of : kCases) {
+    ASSIGN_OR_RETURN(const NoisyShape shape, noisy_shape(of));
+    RETURN_IF_ERROR(write_shape(shape, folder));
+  }
+  return Status::ok();
+}
+
+Status run(const Arguments& arguments) {
+  if (arguments.measures) return print_errors(arguments.meshes);
+  if (!arguments.shapes.empty()) return write_shapes(arguments.shapes);
+  BenchReport report("denoise_bench");
+  return report_all(arguments, report);
+}
+
 Arguments parsed(int count, char** words) {
   Arguments arguments;
   for (int i = 1; i < count; ++i) {
     if (words[i] == std::string_view("--out") && i + 1 < count)
       arguments.out = words[++i];
+    else if (words[i] == std::string_view("--shapes") && i + 1 < count)
+      arguments.shapes = words[++i];
+    else if (words[i] == std::string_view("--measure"))
+      arguments.measures = true;
     else
       arguments.meshes.emplace_back(words[i]);
   }
@@ -211,8 +238,7 @@ Arguments parsed(int count, char** words) {
 }  // namespace burnish
 
 int main(int count, char** words) {
-  burnish::BenchReport report("denoise_bench");
-  const burnish::Status status = report_all(burnish::parsed(count, words), report);
+  const burnish::Status status = burnish::run(burnish::parsed(count, words));
   if (!status.is_ok()) std::fprintf(stderr, "denoise_bench: %s\n", status.message().c_str());
   return status.is_ok() ? 0 : 1;
 }

@@ -43,6 +43,16 @@ std::string name_of(const EdgePreset& preset) {
 
 }  // namespace
 
+Result<TriangleMesh> with_edges_kept(const TriangleMesh& noisy, const EdgeFilter& filter) {
+  return filtered(noisy, {wave_of(noisy, kEdgeWaveEdges), SetEdges{filter}});
+}
+
+Result<EdgeFilter> proposed_filter(const TriangleMesh& noisy) {
+  ASSIGN_OR_RETURN(const auto surface, make_denoise_surface(noisy));
+  ASSIGN_OR_RETURN(const EdgeProposal proposal, propose_edges(*surface));
+  return proposal.filter;
+}
+
 Status report_filtered(const NoisyShape& shape, BenchTable& table) {
   add(shape, "noisy", shape.clean, shape.noisy, table);
   for (const double waves : {6.0, kEdgeWaveEdges}) {
@@ -50,15 +60,10 @@ Status report_filtered(const NoisyShape& shape, BenchTable& table) {
                      filtered(shape.noisy, {wave_of(shape.noisy, waves), SetGradientScale{0}}));
     add(shape, "beta 0, waves of " + in_words("%g", waves) + " edges", shape.clean, smooth, table);
   }
-  ASSIGN_OR_RETURN(
-      const TriangleMesh kept,
-      filtered(shape.noisy, {wave_of(shape.noisy, kEdgeWaveEdges), SetEdges{shape.preset.filter}}));
+  ASSIGN_OR_RETURN(const TriangleMesh kept, with_edges_kept(shape.noisy, shape.preset.filter));
   add(shape, name_of(shape.preset), shape.clean, kept, table);
-  ASSIGN_OR_RETURN(const auto surface, make_denoise_surface(shape.noisy));
-  ASSIGN_OR_RETURN(const EdgeProposal proposal, propose_edges(*surface));
-  ASSIGN_OR_RETURN(
-      const TriangleMesh proposed,
-      filtered(shape.noisy, {wave_of(shape.noisy, kEdgeWaveEdges), SetEdges{proposal.filter}}));
+  ASSIGN_OR_RETURN(const EdgeFilter proposal, proposed_filter(shape.noisy));
+  ASSIGN_OR_RETURN(const TriangleMesh proposed, with_edges_kept(shape.noisy, proposal));
   add(shape, "edges kept, auto", shape.clean, proposed, table);
   return Status::ok();
 }

@@ -15,6 +15,13 @@ struct NoisyShape {
   EdgePreset preset;
 };
 
+/// Filters a mesh as `burnish filter --keep-edges` does, at the default depth. Fails: as preparing
+/// and solving do.
+Result<TriangleMesh> with_edges_kept(const TriangleMesh& noisy, const EdgeFilter& filter);
+
+/// Returns what `--keep-edges auto` chooses. Fails: without memory.
+Result<EdgeFilter> proposed_filter(const TriangleMesh& noisy);
+
 /// Filters the shape as `burnish filter` does, at the default depth, and adds a row for each way:
 /// its errors against the clean shape. Fails: as preparing and solving do.
 Status report_filtered(const NoisyShape& shape, BenchTable& table);
