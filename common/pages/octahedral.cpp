@@ -24,19 +24,19 @@ int64_t size_of(const NormalSum& sum) {
 
 }  // namespace
 
-OctahedralCode octahedral_code(const Vec3f& direction) {
+OctahedralCode octahedral_code(const Vec3f& direction, int limit) {
   const Vec3f on = direction / direction.lpNorm<1>();
   std::array<float, 2> place = {on.x(), on.y()};
   if (on.z() < 0) place = folded(on.x(), on.y(), 1.0f);
-  constexpr auto kLimit = static_cast<float>(kOctahedralLimit);
-  return {static_cast<int>(std::lround(place[0] * kLimit)),
-          static_cast<int>(std::lround(place[1] * kLimit))};
+  const auto scale = static_cast<float>(limit);
+  return {static_cast<int>(std::lround(place[0] * scale)),
+          static_cast<int>(std::lround(place[1] * scale))};
 }
 
-Vec3f octahedral_normal(const OctahedralCode& code) {
-  constexpr auto kLimit = static_cast<float>(kOctahedralLimit);
-  std::array<float, 2> place = {static_cast<float>(code[0]) / kLimit,
-                                static_cast<float>(code[1]) / kLimit};
+Vec3f octahedral_normal(const OctahedralCode& code, int limit) {
+  const auto scale = static_cast<float>(limit);
+  std::array<float, 2> place = {static_cast<float>(code[0]) / scale,
+                                static_cast<float>(code[1]) / scale};
   const float z = 1 - std::abs(place[0]) - std::abs(place[1]);
   if (z < 0) place = folded(place[0], place[1], 1.0f);
   return Vec3f(place[0], place[1], z).normalized();

@@ -9,18 +9,18 @@ namespace burnish {
 
 // A direction as two integers: it is stretched onto the octahedron |x| + |y| + |z| = 1. The half
 // below, z < 0, is folded outwards, so that the octahedron becomes the square -1 <= u, v <= 1. A
-// code (u, v) means (u, v) / kOctahedralLimit. So the axes are exact. Others are off by a third of
-// a degree on average, by 0.94 at most.
+// code (u, v) means (u, v) / limit. So the axes are exact. With the limit of pages, others are off
+// by a third of a degree on average, by 0.94 at most.
 
-inline constexpr int kOctahedralLimit = 127;
+inline constexpr int kOctahedralLimit = 127;  // of the normals of pages
 
 using OctahedralCode = std::array<int, 2>;
 
-/// Rounds to the nearest code. Needs: a finite vector that is not zero.
-OctahedralCode octahedral_code(const Vec3f& direction);
+/// Rounds to the nearest code. Needs: a finite vector that is not zero; a limit below 2^20.
+OctahedralCode octahedral_code(const Vec3f& direction, int limit = kOctahedralLimit);
 
-/// Returns a unit vector, for any code of |u|, |v| <= 128.
-Vec3f octahedral_normal(const OctahedralCode& code);
+/// Returns a unit vector, for any code of |u|, |v| <= limit + 1.
+Vec3f octahedral_normal(const OctahedralCode& code, int limit = kOctahedralLimit);
 
 /// A sum of the cross products of a vertex's triangles, in steps of PageGrid.
 using NormalSum = std::array<int64_t, 3>;

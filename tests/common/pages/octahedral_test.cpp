@@ -41,6 +41,15 @@ TEST(Octahedral, AxesAreExact) {
     }
 }
 
+TEST(Octahedral, ALargerLimitTurnsLess) {
+  std::mt19937 random(3);
+  for (int run = 0; run < 1000; ++run) {
+    const Vec3f direction = random_direction(random);
+    const OctahedralCode code = octahedral_code(direction, 32767);
+    EXPECT_LT(degrees_between(direction, octahedral_normal(code, 32767)), 0.005);
+  }
+}
+
 TEST(Octahedral, EveryCodeIsAUnitVector) {
   for (int u = -128; u < 128; ++u)
     for (int v = -128; v < 128; ++v) EXPECT_NEAR(octahedral_normal({u, v}).norm(), 1, 1e-6);
