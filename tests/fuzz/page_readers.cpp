@@ -1,38 +1,18 @@
-#include <algorithm>
 #include <cstring>
 #include <vector>
 
 #include "common/base/check.h"
-#include "common/packing/checksum.h"
-#include "common/packing/zstd_frame.h"
 #include "common/pages/directory_codec.h"
 #include "common/pages/page_codec.h"
 #include "common/pages/page_file.h"
 #include "common/pages/page_format.h"
 #include "tests/fuzz/memory_file.h"
 #include "tests/fuzz/readers.h"
+#include "tests/fuzz/sealed_part.h"
 
 namespace burnish {
 
 namespace {
-
-/// Makes the checksum at the end of a header right. Leaves bytes that are shorter.
-void seal_part(std::span<uint8_t> bytes, size_t header_bytes) {
-  if (bytes.size() < header_bytes) return;
-  const size_t at = header_bytes - sizeof(uint64_t);
-  const uint64_t checksum = sealed_checksum(bytes, at, header_bytes);
-  std::memcpy(bytes.data() + at, &checksum, sizeof(checksum));
-}
-
-/// Compresses what lies behind the header and makes the checksum right. So changed bytes get
-/// further than to zstd.
-std::vector<uint8_t> compressed(std::span<const uint8_t> bytes, size_t header_bytes) {
-  const size_t header = std::min(header_bytes, bytes.size());
-  std::vector<uint8_t> sealed(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(header));
-  append_compressed(bytes.subspan(header), 1, sealed);
-  seal_part(sealed, header_bytes);
-  return sealed;
-}
 
 void seal_blocks(const PageHead& head, std::span<uint8_t> blocks) {
   for (const PageBlock& block : head.blocks) {

@@ -138,6 +138,7 @@ constexpr FuzzedReader kReaders[] = {
     {"edit", read_edit},
     {"live", read_live_messages},
     {"materials", read_materials},
+    {"charts", read_fuzzed_charts},
     {"page", read_fuzzed_page},
     {"page_block", read_page_block},
     {"page_file", read_page_file},

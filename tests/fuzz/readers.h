@@ -36,6 +36,10 @@ bool read_page_block(std::span<const uint8_t> bytes);
 /// A page file, with the checksums of its head and blocks made right.
 bool read_page_file(std::span<const uint8_t> bytes);
 
+/// The charts of a page of eight triangles. They are compressed and their checksum is made right
+/// before they are decoded.
+bool read_fuzzed_charts(std::span<const uint8_t> bytes);
+
 /// Frames by page for one decoder, and the changes of its shown pages. Each begins with a byte for
 /// its kind and two bytes of length, low first:
 ///   0  a frame, unchanged;
