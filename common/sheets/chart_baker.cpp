@@ -1,0 +1,111 @@
+#include "common/sheets/chart_baker.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/sheets/sheet_limits.h"
+#include "common/sheets/triangle_raster.h"
+
+namespace burnish {
+
+namespace {
+
+constexpr float kGutterReach = 6;  // texels; a border at 55 degrees climbs that high in the gutter
+constexpr float kNoDepth = std::numeric_limits<float>::quiet_NaN();
+
+}  // namespace
+
+ChartBaker::ChartBaker(const ChartMapping& mapping, const TexelSize& size, int samples_per_side)
+    : mapping_(mapping),
+      samples_(samples_per_side),
+      width_(static_cast<int>(size.width) * samples_),
+      height_(static_cast<int>(size.height) * samples_),
+      depths_(size_t(width_) * height_, kNoDepth),
+      hits_(depths_.size()) {}
+
+void ChartBaker::add_target(const std::array<Vec3d, 3>& corners) {
+  const Vec3d depths = depths_of(corners);
+  draw_triangle(flat(corners), width_, height_, [&](int x, int y, const Vec3d& weights) {
+    depths_[at(x, y)] = static_cast<float>(weights.dot(depths));
+  });
+}
+
+void ChartBaker::dilate() {
+  is_inside_.resize(depths_.size());
+  std::ranges::transform(depths_, is_inside_.begin(),
+                         [](float depth) { return std::isnan(depth) ? 0 : 1; });
+  for (int pass = 0; pass < kSheetGutter * samples_; ++pass) {
+    std::vector<float> wider = depths_;
+    for (int y = 0; y < height_; ++y)
+      for (int x = 0; x < width_; ++x)
+        if (std::isnan(depths_[at(x, y)])) wider[at(x, y)] = mean_around(x, y);
+    depths_ = std::move(wider);
+  }
+}
+
+void ChartBaker::add_source(uint32_t triangle, const std::array<Vec3d, 3>& corners) {
+  const std::array<Vec2d, 3> on_raster = flat(corners);
+  if (is_outside(on_raster)) return;
+  const Vec3d depths = depths_of(corners);
+  draw_triangle(on_raster, width_, height_, [&](int x, int y, const Vec3d& weights) {
+    const size_t i = at(x, y);
+    const float distance = std::abs(static_cast<float>(weights.dot(depths)) - depths_[i]);
+    if (!(distance < hits_[i].distance)) return;  // true for NaN
+    if (is_inside_[i] == 0 && distance > kGutterReach) return;
+    hits_[i] = {
+        distance, triangle, {static_cast<float>(weights[0]), static_cast<float>(weights[1])}};
+  });
+}
+
+TexelGrid ChartBaker::resolve(const BakeSource& source) const {
+  TexelGrid grid(width_ / samples_, height_ / samples_);
+  std::vector<float> counts(grid.texels.size(), 0);
+  for (int y = 0; y < height_; ++y)
+    for (int x = 0; x < width_; ++x) {
+      const Hit& hit = hits_[at(x, y)];
+      if (hit.triangle == UINT32_MAX) continue;
+      const double a = hit.weights[0];
+      const double b = hit.weights[1];
+      const size_t texel = grid.at(x / samples_, y / samples_);
+      grid.texels[texel] += source.texel(hit.triangle, {a, b, 1 - a - b});
+      ++counts[texel];
+    }
+  for (size_t i = 0; i < counts.size(); ++i) {
+    if (counts[i] == 0) continue;
+    grid.texels[i] /= counts[i];
+    grid.is_known[i] = 1;
+  }
+  return grid;
+}
+
+std::array<Vec2d, 3> ChartBaker::flat(const std::array<Vec3d, 3>& corners) const {
+  std::array<Vec2d, 3> on_raster;
+  for (int k = 0; k < 3; ++k) on_raster[k] = mapping_.texel(corners[k]) * samples_;
+  return on_raster;
+}
+
+Vec3d ChartBaker::depths_of(const std::array<Vec3d, 3>& corners) const {
+  return {mapping_.normal.dot(corners[0]), mapping_.normal.dot(corners[1]),
+          mapping_.normal.dot(corners[2])};
+}
+
+bool ChartBaker::is_outside(const std::array<Vec2d, 3>& corners) const {
+  const Vec2d least = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
+  const Vec2d most = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
+  return most.x() < 0 || most.y() < 0 || least.x() > width_ || least.y() > height_;
+}
+
+float ChartBaker::mean_around(int x, int y) const {
+  float sum = 0;
+  int count = 0;
+  for (int ny = std::max(0, y - 1); ny < std::min(height_, y + 2); ++ny)
+    for (int nx = std::max(0, x - 1); nx < std::min(width_, x + 2); ++nx) {
+      const float depth = depths_[at(nx, ny)];
+      if (std::isnan(depth)) continue;
+      sum += depth;
+      ++count;
+    }
+  return count > 0 ? sum / static_cast<float>(count) : kNoDepth;
+}
+
+}  // namespace burnish
