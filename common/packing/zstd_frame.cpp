@@ -61,6 +61,14 @@ void append_compressed(std::span<const uint8_t> body, int zstd_level, std::vecto
   bytes.resize(begin + written);
 }
 
+Result<size_t> compressed_bytes(std::span<const uint8_t> bytes) {
+  const size_t size = ZSTD_findFrameCompressedSize(bytes.data(), bytes.size());
+  if (ZSTD_isError(size))
+    return data_loss(std::to_string(bytes.size()) +
+                     " bytes do not begin with a zstd frame: " + ZSTD_getErrorName(size));
+  return size;
+}
+
 Result<std::vector<uint8_t>> decompress(std::span<const uint8_t> bytes, size_t size) {
   if (ZSTD_getFrameContentSize(bytes.data(), bytes.size()) != size)
     return data_loss(std::to_string(bytes.size()) + " bytes are not one zstd frame of " +

@@ -7,9 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "common/base/line_text.h"
 #include "common/base/status.h"
 #include "common/packing/checksum.h"
 #include "common/sheets/sheet_format.h"
+#include "common/sheets/sheet_limits.h"
 
 namespace burnish {
 
@@ -21,6 +23,15 @@ inline Status check_sheet_value(const char* name, uint64_t value, uint64_t least
   if (value >= least && value <= most) return Status::ok();
   return data_loss(std::to_string(value) + " " + name + " are outside " + std::to_string(least) +
                    ".." + std::to_string(most));
+}
+
+/// Fails: data_loss that names the value, unless 0 < density < kSheetDensityEnd.
+inline Status check_sheet_density(float density) {
+  if (density > 0 && density < kSheetDensityEnd) return Status::ok();  // false for NaN
+  LineText message;
+  message << "a density of " << density << " texels per file unit is outside 0.."
+          << kSheetDensityEnd;
+  return data_loss(message.text());
 }
 
 template <typename Header>

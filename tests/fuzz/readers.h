@@ -40,6 +40,15 @@ bool read_page_file(std::span<const uint8_t> bytes);
 /// before they are decoded.
 bool read_fuzzed_charts(std::span<const uint8_t> bytes);
 
+/// One encoded sheet, with its checksum made right.
+bool read_fuzzed_sheet(std::span<const uint8_t> bytes);
+
+/// One block of the directory of a sheet file, compressed first, with its checksum made right.
+bool read_sheet_block(std::span<const uint8_t> bytes);
+
+/// A sheet file of six pages, with the checksums of its head and blocks made right.
+bool read_sheet_file(std::span<const uint8_t> bytes);
+
 /// Frames by page for one decoder, and the changes of its shown pages. Each begins with a byte for
 /// its kind and two bytes of length, low first:
 ///   0  a frame, unchanged;

@@ -51,6 +51,18 @@ TEST(ZstdFrame, BytesBehindTheFrameAreDataLoss) {
   EXPECT_EQ(decompress(frame, 100).status().code(), StatusCode::kDataLoss);
 }
 
+TEST(ZstdFrame, TheFirstFrameSaysItsBytes) {
+  std::vector<uint8_t> bytes;
+  append_compressed(std::vector<uint8_t>(1000, 7), 1, bytes);
+  const size_t size = bytes.size();
+  EXPECT_EQ(compressed_bytes(bytes).value(), size);
+  bytes.resize(size + 9, 3);
+  EXPECT_EQ(compressed_bytes(bytes).value(), size);
+  EXPECT_EQ(compressed_bytes(std::span(bytes).first(size - 1)).status().code(),
+            StatusCode::kDataLoss);
+  EXPECT_EQ(compressed_bytes({}).status().code(), StatusCode::kDataLoss);
+}
+
 TEST(Zigzag, SmallDifferencesOfBothSignsBecomeSmall) {
   EXPECT_EQ(to_zigzag<uint32_t>(0), 0u);
   EXPECT_EQ(to_zigzag<uint32_t>(-1u), 1u);
