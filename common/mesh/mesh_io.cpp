@@ -8,7 +8,8 @@
 #include "common/mesh/gltf_files.h"
 #include "common/mesh/gltf_surface.h"
 #include "common/mesh/mesh_formats.h"
-#include "common/mesh/obj_colours.h"
+#include "common/mesh/obj_textures.h"
+#include "common/mesh/texture_colours.h"
 
 namespace burnish {
 
@@ -30,7 +31,9 @@ static Result<TriangleMesh> read_textured_obj(std::span<const uint8_t> bytes,
                                               const MeshSurroundings& beside) {
   ASSIGN_OR_RETURN(TriangleMesh mesh, read_obj(bytes, name));
   if (mesh.has_colours() || beside.files == nullptr) return mesh;
-  ASSIGN_OR_RETURN(mesh.colours, obj_texture_colours(bytes, mesh.vertices.size(), beside, name));
+  const auto textures = read_obj_textures(bytes, beside);
+  if (!textures.is_ok()) return textures.status().with_context(name);
+  RETURN_IF_ERROR(add_texture_colours(mesh, *textures, beside.pictures, name));
   return mesh;
 }
 

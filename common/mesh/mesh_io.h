@@ -27,18 +27,18 @@ Result<MeshFormat> mesh_format_of_path(const std::filesystem::path& path);
 /// Does the same for a file to write, in other words. Some formats need a scan that came in them.
 Result<MeshFormat> written_format_of_path(const std::filesystem::path& path);
 
-/// Reads and validates a mesh, and the textures beside an OBJ. Messages name the file, the place in
+/// Reads and validates a mesh, and its textures. Messages name the file, the place in
 /// it, the value and the limit. Fails: not_found, permission_denied, invalid_argument (damaged,
 /// truncated, hostile, empty), resource_exhausted.
 Result<TriangleMesh> read_mesh(const std::filesystem::path& path);
 
-/// Reads a mesh from memory, for uploads and fuzzers. `name` is only used in messages. An OBJ
-/// without colours takes them from its textures, if they lie beside it. Fails: likewise.
+/// Reads a mesh from memory, for uploads and fuzzers. `name` is only used in messages. Colours come
+/// from its textures too, if they are there. Fails: likewise; as add_texture_colours().
 Result<TriangleMesh> read_mesh(std::span<const uint8_t> bytes, MeshFormat format,
                                const std::string& name, const MeshSurroundings& beside = {});
 
 /// Reads a mesh from memory into scratch space. glTF and archives are read into memory and copied;
-/// the other formats go there at once. `pictures` is asked for the memory that an archive's
+/// the other formats go there at once. `pictures` is asked for the memory that the file's
 /// pictures take. Fails: likewise; as `pictures` does.
 Result<StoredMesh> read_stored_mesh(std::span<const uint8_t> bytes, MeshFormat format,
                                     const std::string& name, const ScratchSpace& space,

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "common/base/status.h"
-#include "common/picture/sample_texture.h"
+#include "common/base/types.h"
+#include "common/mesh/texture_wrap.h"
 
 namespace burnish {
 

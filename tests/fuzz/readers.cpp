@@ -13,8 +13,8 @@
 #include "common/base/check.h"
 #include "common/edit/transfer_curve.h"
 #include "common/mesh/mtl_reader.h"
+#include "common/mesh/texture_row.h"
 #include "common/picture/picture.h"
-#include "common/picture/sample_texture.h"
 #include "common/wire/edit_bytes.h"
 #include "server/config/config_file.h"
 #include "server/fields/paint_checkpoints.h"
@@ -63,7 +63,9 @@ bool read_fuzzed_picture(std::span<const uint8_t> bytes) {
   if (!picture.is_ok()) return false;
   BURNISH_CHECK(picture->pixels.size() == size_t{picture->width} * picture->height,
                 "a picture has other than its pixels");
-  sample_texture(*picture, 0.3, 1.7);
+  TextureRow row(picture->width);
+  row.set({0, 0, 1, std::span(picture->pixels).first(picture->width)});
+  (void)row.mean(-0.3, 1e6, TextureWrap::kMirror);
   return true;
 }
 

@@ -26,9 +26,9 @@ inline Picture square_picture() {
   return {2, 2, {{200, 0, 0, 255}, {0, 200, 0, 255}, {0, 0, 200, 255}, {90, 90, 90, 255}}};
 }
 
-/// The colours of the square's vertices.
+/// The means of what the square's vertices own.
 inline std::vector<Rgba8> square_colours() {
-  return {{0, 0, 200, 255}, {90, 90, 90, 255}, {0, 200, 0, 255}, {200, 0, 0, 255}};
+  return {{105, 75, 151, 255}, {82, 111, 111, 255}, {105, 151, 75, 255}, {165, 88, 88, 255}};
 }
 
 /// Files in memory.
