@@ -9,6 +9,7 @@
 #include "common/mesh/gltf_surface.h"
 #include "common/mesh/mesh_formats.h"
 #include "common/mesh/obj_textures.h"
+#include "common/mesh/ply_texture_reader.h"
 #include "common/mesh/texture_colours.h"
 
 namespace burnish {
@@ -37,11 +38,21 @@ static Result<TriangleMesh> read_textured_obj(std::span<const uint8_t> bytes,
   return mesh;
 }
 
+static Result<TriangleMesh> read_textured_ply(std::span<const uint8_t> bytes,
+                                              const std::string& name,
+                                              const MeshSurroundings& beside) {
+  ASSIGN_OR_RETURN(TriangleMesh mesh, read_ply(bytes, name));
+  if (mesh.has_colours() || beside.files == nullptr) return mesh;
+  const SurfaceTextures textures = read_ply_textures(bytes, mesh.triangles, beside);
+  RETURN_IF_ERROR(add_texture_colours(mesh, textures, beside.pictures, name));
+  return mesh;
+}
+
 static Result<TriangleMesh> parse_mesh(std::span<const uint8_t> bytes, MeshFormat format,
                                        const std::string& name, const MeshSurroundings& beside) {
   switch (format) {
     case MeshFormat::kPly:
-      return read_ply(bytes, name);
+      return read_textured_ply(bytes, name, beside);
     case MeshFormat::kObj:
       return read_textured_obj(bytes, name, beside);
     case MeshFormat::kStl:

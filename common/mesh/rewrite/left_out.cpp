@@ -4,6 +4,8 @@
 
 #include "common/base/mapped_file.h"
 #include "common/mesh/off_text.h"
+#include "common/mesh/ply_header.h"
+#include "common/mesh/ply_layout.h"
 #include "common/mesh/rewrite/format_rewriters.h"
 #include "common/mesh/rewrite/left_out_list.h"
 #include "common/mesh/rewrite/packed_mesh.h"
@@ -80,9 +82,17 @@ Result<std::vector<std::string>> attributes_left_out(const OriginalFile& origina
   return list.names();
 }
 
+static bool has_ply_colours(std::span<const uint8_t> bytes) {
+  const auto header = parse_ply_header(bytes, "");
+  if (!header.is_ok()) return false;
+  const auto layout = find_ply_layout(*header, "");
+  return layout.is_ok() && layout->has_colours;
+}
+
 static bool rewrites_colours(std::span<const uint8_t> bytes, MeshFormat format) {
   if (format == MeshFormat::kObj) return obj_colour_scale(bytes).has_value();
-  return format == MeshFormat::kPly || format == MeshFormat::kOff;
+  if (format == MeshFormat::kPly) return has_ply_colours(bytes);
+  return format == MeshFormat::kOff;
 }
 
 Result<bool> keeps_changed_colours(const OriginalFile& original, MeshFormat to) {

@@ -137,5 +137,24 @@ TEST(LeftOut, AGltfsDataBesideItIsNotLeftOut) {
   EXPECT_EQ(left_out_text(*names), "pictures");
 }
 
+TEST(LeftOut, APlyKeepsChangedColoursWhereItHasColoursAndNotThoseOfItsTextures) {
+  const std::string begin =
+      "ply\nformat ascii 1.0\ncomment TextureFile skin.png\nelement vertex 3\n"
+      "property float x\nproperty float y\nproperty float z\n";
+  const std::string end =
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0 1 2 3\n1 0 0 1 2 3\n0 1 0 1 2 3\n3 0 1 2\n";
+  const auto keeps = [&](const std::string& properties, MeshFormat to) {
+    const TemporaryFolder folder;
+    const auto path = folder.write("scan.ply", begin + properties + end);
+    return keeps_changed_colours({path, MeshFormat::kPly, "scan"}, to).value();
+  };
+  const char* colours = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  const char* others = "property uchar s\nproperty uchar t\nproperty uchar q\n";
+  EXPECT_TRUE(keeps(colours, MeshFormat::kPly));
+  EXPECT_FALSE(keeps(others, MeshFormat::kPly));
+  EXPECT_TRUE(keeps(others, MeshFormat::kObj));
+}
+
 }  // namespace
 }  // namespace burnish
