@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/mesh/gltf_textures.h"
 #include "common/mesh/srgb.h"
+#include "common/mesh/texture_colours.h"
 #include "common/mesh/vertex_welder.h"
 
 namespace burnish {
@@ -139,12 +141,14 @@ Result<GltfSurface> read_gltf_surface(UnpackedViews& views) {
 }
 
 Result<TriangleMesh> read_gltf(std::span<const uint8_t> bytes, const std::string& name,
-                               const GltfFilesBeside& beside) {
-  auto document = open_gltf(bytes, beside);
+                               const GltfFilesBeside& buffers, const MeshSurroundings& beside) {
+  auto document = open_gltf(bytes, buffers);
   if (!document.is_ok()) return document.status().with_context(name);
   UnpackedViews views(*document);
   auto surface = read_gltf_surface(views);
   if (!surface.is_ok()) return surface.status().with_context(name);
+  RETURN_IF_ERROR(add_texture_colours(surface->mesh, read_gltf_textures(views, *surface, beside),
+                                      beside.pictures, name));
   return std::move(surface->mesh);
 }
 

@@ -11,6 +11,7 @@
 #include "common/base/status.h"
 #include "common/gltf/primitive.h"
 #include "common/gltf/scene.h"
+#include "common/mesh/files_beside.h"
 #include "common/mesh/triangle_mesh.h"
 
 namespace burnish {
@@ -66,8 +67,9 @@ void for_each_triangle(const GltfPrimitive& primitive, const Use& use) {
   }
 }
 
-/// Reads a .glb or .gltf file as read_mesh() does. `beside` gives the files that it names.
+/// Reads a .glb or .gltf file as read_mesh() does. `buffers` gives the buffers that it names, and
+/// `beside` its pictures.
 Result<TriangleMesh> read_gltf(std::span<const uint8_t> bytes, const std::string& name,
-                               const GltfFilesBeside& beside);
+                               const GltfFilesBeside& buffers, const MeshSurroundings& beside = {});
 
 }  // namespace burnish

@@ -61,7 +61,7 @@ static Result<TriangleMesh> parse_mesh(std::span<const uint8_t> bytes, MeshForma
       return read_off(bytes, name);
     case MeshFormat::kGlb:
     case MeshFormat::kGltf:
-      return read_gltf(bytes, name, GltfFiles(beside).reader());
+      return read_gltf(bytes, name, GltfFiles(beside).reader(), beside);
     case MeshFormat::kZip:
       return read_zip(bytes, name, beside.pictures);
   }
