@@ -93,16 +93,16 @@ class TextureFootprint {
     if (begin < end) add_span(band, begin, end, add);
   }
 
-  /// Integrates over a part of a band by Gauss's rule of two points, in more steps where the line
-  /// moves over many pixels.
+  /// Integrates over a part of a band by Gauss's rule of two points. Takes more steps where the
+  /// line moves over many pixels of few rows.
   template <typename Add>
   void add_span(const Band& band, double begin, double end, const Add& add) const {
-    constexpr double kStepsMax = 16, kStepsOfPixel = 2;
+    constexpr double kStepsMax = 16, kStepsOfPixel = 2, kFewRows = 8;
     constexpr std::array<double, 2> kGauss = {0.21132486540518713, 0.7886751345948129};
     const double rows = band.is_coarse ? 1 : end - begin;
     const double columns = width() * (end - begin) / height();
-    const double steps =
-        std::clamp(std::ceil(std::max(rows, kStepsOfPixel * columns)), 1.0, kStepsMax);
+    const double density = kStepsOfPixel * std::min(1.0, kFewRows / height());
+    const double steps = std::clamp(std::ceil(std::max(rows, density * columns)), 1.0, kStepsMax);
     const double step = (end - begin) / steps;
     const double slope = (band.weight_at_end - band.weight_at_begin) / (band.end - band.begin);
     for (double i = 0; i < steps; ++i)

@@ -77,9 +77,11 @@ Eigen::Array4d TextureRow::integral(double x, TextureWrap wrap) const {
 
 Eigen::Array4d TextureRow::mean(double begin, double end, TextureWrap wrap) const {
   constexpr double kShortest = 1e-3;  // differences of integrals lose their digits below
-  const double middle = (begin + end) / 2;
   const double length = std::max(std::abs(end - begin), kShortest);
-  return (integral(middle + length / 2, wrap) - integral(middle - length / 2, wrap)) / length;
+  const double left = (begin + end - length) / 2, right = (begin + end + length) / 2;
+  if (left >= 0 && right <= static_cast<double>(pixels_.size()))  // the usual place
+    return (integral_from_first(right, wrap) - integral_from_first(left, wrap)) / length;
+  return (integral(right, wrap) - integral(left, wrap)) / length;
 }
 
 }  // namespace burnish

@@ -1,6 +1,7 @@
 #include "common/mesh/texture_sweep.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -107,9 +108,14 @@ void TextureSweep::visit(uint32_t triangle, uint32_t y, const Add& add) const {
   const TextureFootprint footprint = footprint_of(triangle);
   const SurfaceMaterial& material = textures_.materials[textures_.triangles[triangle].material];
   const uint32_t stride = uint32_t{1} << log_stride_of(footprint);
+  std::array<Eigen::Array4d, 3> parts;
+  parts.fill(Eigen::Array4d::Zero());
   footprint.for_each_piece(y, stride, [&](int corner, double x0, double x1, double weight) {
-    add(triangle, corner, weight * row_.mean(x0, x1, material.wraps.u));
+    parts[static_cast<size_t>(corner)] += weight * row_.mean(x0, x1, material.wraps.u);
   });
+  for (int corner = 0; corner < 3; ++corner)
+    if (const auto& part = parts[static_cast<size_t>(corner)]; part[3] > 0)
+      add(triangle, corner, part);
 }
 
 }  // namespace burnish
