@@ -61,16 +61,24 @@ void draw_values(Document& document, MessageLog& log) {
   if (change == SliderChange::kDone) document.commit(SetEdges{changed});
 }
 
+/// Returns why the server would refuse kept edges; null if it would not.
+const char* bar_to_edges(const Document& document) {
+  if (document.edges().is_on()) return nullptr;
+  if (!document.equaliser().bands.empty())
+    return "Bands have the scan's noise. Remove them to keep edges.";
+  if (document.controls().keep_volume) return "The volume stays. Let it change to keep edges.";
+  return nullptr;
+}
+
 }  // namespace
 
 void EdgesPanel::draw(Workspace& workspace) {
   Document& document = *workspace.document();
-  const bool stands_beside_bands = !document.equaliser().bands.empty() && !document.edges().is_on();
-  ImGui::BeginDisabled(document.is_viewer() || stands_beside_bands);
+  const char* const bar = bar_to_edges(document);
+  ImGui::BeginDisabled(document.is_viewer() || bar);
   faint_text("%s",
              "Noise goes, edges stay, and what is sharpened is the surface without its noise.");
-  if (stands_beside_bands)
-    faint_text("%s", "Bands have the scan's noise. Remove them to keep edges.");
+  if (bar) faint_text("%s", bar);
   draw_presets(document);
   if (const std::string noise = noise_text(document); !noise.empty())
     faint_text("%s", noise.c_str());

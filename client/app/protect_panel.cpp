@@ -85,10 +85,10 @@ static void draw_controls(Document& document, MessageLog& log) {
   ImGui::EndDisabled();
   hint("The rims of an open scan stay where they are. A closed scan has none.");
   ImGui::SameLine(em(9));
-  ImGui::BeginDisabled(!document.is_closed());
+  ImGui::BeginDisabled(!document.is_closed() || document.edges().is_on());
   is_changed |= ImGui::Checkbox("Volume stays", &controls.keep_volume);
   ImGui::EndDisabled();
-  hint("A closed scan keeps its volume. An open scan has none.");
+  hint("A closed scan keeps its volume. An open scan has none. Not while edges are kept.");
   if (is_changed) document.set_controls(controls);
   if (const std::string rims = rims_text(document); !rims.empty()) {
     faint_text("%s", rims.c_str());

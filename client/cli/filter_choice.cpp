@@ -143,7 +143,13 @@ std::string FilterChoice::take(const EdgeProposal& proposal) {
 
 // Without another fidelity waves of some edges are its own.
 static Status add_edges(const FilterChoice& choice, const ScanLengths& scan, Changes& changes) {
-  if (choice.keep_edges == kNoEdges) changes.emplace_back(SetEdges{});
+  if (choice.keep_edges == kNoEdges) {
+    if (choice.with_own_values({}) != EdgeFilter{})
+      return invalid_argument(
+          "--keep-edges off keeps none: leave out --edge-strength, --edge-angle, --edge-passes and "
+          "--crispness");
+    changes.emplace_back(SetEdges{});
+  }
   if (!choice.names_edges()) return Status::ok();
   EdgeFilter filter;
   if (choice.asks_for_proposal()) {

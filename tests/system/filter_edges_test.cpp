@@ -60,6 +60,8 @@ TEST_F(FilterCommand, WordsOfKeptEdgesAreChecked) {
   EXPECT_EQ(burnish({"filter", in(), out(), "--keep-edges", "corners"}), 2);
   EXPECT_THAT(output_, HasSubstr("'corners' keeps no edges; there are machined, scanner, soft, "
                                  "relief, auto, off"));
+  EXPECT_EQ(burnish({"filter", in(), out(), "--keep-edges", "off", "--edge-angle", "30"}), 1);
+  EXPECT_THAT(output_, HasSubstr("--keep-edges off keeps none: leave out --edge-strength"));
   EXPECT_EQ(burnish({"filter", in(), out(), "--keep-edges", "soft", "--edge-angle", "3"}), 2);
   EXPECT_THAT(output_, HasSubstr("3 is outside 5 to 120"));
   EXPECT_EQ(burnish({"filter", in(), out(), "--crispness", "1"}), 2);

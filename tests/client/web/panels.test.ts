@@ -343,6 +343,18 @@ test("BandsAndKeptEdgesAreNotOfferedBesideEachOther", () =>
     assert.ok(await choice.isEnabled());
   }));
 
+test("AVolumeThatStaysAndKeptEdgesAreNotOfferedBesideEachOther", () =>
+  bench.visitSession(async (visit) => {
+    const edges = await visit.section("Keep edges");
+    const controls = { ...session.controls, keepVolume: true };
+    await visit.document({ bands: [], controls, edges: { ...session.edges, strength: 0, preset: "" } });
+    await edges.getByText("Let it change to keep edges").waitFor();
+    assert.ok(await edges.getByRole("combobox", { name: "Kept edges" }).isDisabled());
+    const limits = visit.page.getByRole("region", { name: "Limits" });
+    await visit.document({ closed: true, edges: session.edges });
+    assert.ok(await limits.getByRole("checkbox", { name: "Volume stays" }).isDisabled());
+  }));
+
 test("PaletteAddsPaintsAndRemovesCurves", () =>
   bench.visitSession(async (visit) => {
     const panel = await visit.section("Palette");

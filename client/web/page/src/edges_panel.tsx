@@ -8,9 +8,13 @@ import { Slider, linear, logarithmic, type Scale } from "./slider";
 import type { Document, Edges } from "./snapshot";
 import { short } from "./words";
 
-/** The server refuses both together, so here nothing can be kept. */
-const standsBesideBands = ({ bands, edges }: Document) => bands.length > 0 && edges.strength === 0;
-const isDisabled = (document: Document) => isViewer(document) || standsBesideBands(document);
+/** Says why the server would refuse kept edges; empty if it would not. */
+function barToEdges({ bands, controls, edges }: Document): string {
+  if (edges.strength > 0) return "";
+  if (bands.length > 0) return "Bands have the scan's noise. Remove them to keep edges.";
+  return controls.keepVolume ? "The volume stays. Let it change to keep edges." : "";
+}
+const isDisabled = (document: Document) => isViewer(document) || barToEdges(document) !== "";
 
 export function EdgesPanel({ document }: PanelProps) {
   const link = useLink();
@@ -25,9 +29,7 @@ export function EdgesPanel({ document }: PanelProps) {
   return (
     <>
       <div class="faint">Noise goes, edges stay, and what is sharpened is the surface without its noise.</div>
-      {standsBesideBands(document) && (
-        <div class="faint">Bands have the scan's noise. Remove them to keep edges.</div>
-      )}
+      {barToEdges(document) && <div class="faint">{barToEdges(document)}</div>}
       <Choice
         name="Kept edges"
         value={chosen}
