@@ -124,6 +124,17 @@ TEST_F(WatchFolder, OnceItFiltersOnlyWhatIsNewAndSaysWhatFailed) {
   EXPECT_EQ(nlohmann::json::parse(failure)["outcome"], "failed");
 }
 
+TEST_F(WatchFolder, AResultIsTheOneOfFilter) {
+  put("a.ply");
+  ASSERT_EQ(once({"--beta", "0.2"}), 0) << output_;
+  const std::string filtered = (folder_ / "filtered.ply").string();
+  Process filter({BURNISH_BINARY, "filter", in("a.ply").string(), filtered, "--depth", "4",
+                  "--cycles", "1", "--beta", "0.2"},
+                 folder_ / "filter.log");
+  ASSERT_EQ(filter.wait(kWatchPatience), 0) << filter.output();
+  EXPECT_EQ(content_of(out("a.ply")), content_of(filtered));
+}
+
 TEST_F(WatchFolder, ASecondFileForOneResultIsRefused) {
   put("a.ply");
   put("a.obj");
