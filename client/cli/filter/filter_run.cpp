@@ -1,6 +1,8 @@
 #include "client/cli/filter/filter_run.h"
 
+#include <chrono>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include <sys/stat.h>
@@ -80,8 +82,12 @@ bool is_up_to_date(const FilterJob& job) {
 
 FilterOutcome run_job(const FilterOptions& options, const std::vector<Edit>& edits,
                       const FilterJob& job) {
+  namespace fs = std::filesystem;
+  constexpr auto kTick = std::chrono::milliseconds(10);  // times of files are that much behind
   FilterOutcome outcome{job, FilterEnd::kDone, {}, {}};
-  const bool is_there = options.no_clobber && std::filesystem::exists(job.out);
+  const auto begun = fs::file_time_type::clock::now() - kTick;
+  std::error_code ignored;
+  const bool is_there = options.no_clobber && fs::exists(job.out, ignored);
   if (is_there || (options.update && is_up_to_date(job))) {
     outcome.end = FilterEnd::kSkipped;
     return outcome;
@@ -89,6 +95,8 @@ FilterOutcome run_job(const FilterOptions& options, const std::vector<Edit>& edi
   auto facts = filtered(options, edits, job);
   if (facts.is_ok()) {
     outcome.facts = std::move(*facts);
+    // A scan that was replaced meanwhile is newer than the result of the one before.
+    if (job.out != kStandardStream) fs::last_write_time(job.out, begun, ignored);
   } else {
     outcome.end = FilterEnd::kFailed;
     outcome.status = facts.status();

@@ -18,11 +18,11 @@ Result<std::vector<Edit>> check_filter(const FilterOptions& options);
 /// Makes the folder for the files, if there is one. Fails: as errno says.
 Status make_out_dir(const FilterOptions& options);
 
-/// Returns whether OUT was written after IN got its place and its content. A copy that keeps an old
+/// Returns whether OUT was begun after IN got its place and its content. A copy that keeps an old
 /// time of its file counts as new.
 bool is_up_to_date(const FilterJob& job);
 
-/// Filters one file. A failure is in the outcome.
+/// Filters one file. The result has the time when its work began. A failure is in the outcome.
 FilterOutcome run_job(const FilterOptions& options, const std::vector<Edit>& edits,
                       const FilterJob& job);
 

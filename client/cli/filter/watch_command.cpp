@@ -1,5 +1,6 @@
 // A folder whose files are filtered as they come.
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
@@ -62,8 +63,11 @@ class Watch {
   milliseconds still() const { return milliseconds(static_cast<int64_t>(1000 * options_.still)); }
 
   Status end() const {
-    if (failed_ == 0) return Status::ok();
-    return invalid_argument(std::to_string(failed_) + " files failed");
+    const auto failed =
+        std::ranges::count_if(attempts_, [](const auto& of) { return of.second.failures > 0; });
+    if (failed == 0) return Status::ok();
+    return invalid_argument(std::to_string(failed) + (failed == 1 ? " file" : " files") +
+                            " failed");
   }
 
   /// A share that is away for a while is said once.
@@ -84,42 +88,51 @@ class Watch {
     return {file.path.string(), name_in_folder(file.path.string(), options_.filter)};
   }
 
+  int tries() const { return options_.once ? 1 : kTries; }
+
+  /// A file that has changed since it was seen is due, whatever the times say.
+  bool is_due(const WatchedFile& file) {
+    Attempts& attempts = attempts_[file.path];
+    const bool is_first_seen = attempts.file.path.empty();
+    if (attempts.file != file) attempts = {file, 0, false, {}};
+    if (is_first_seen) attempts.is_done = is_first_with_name(file) && is_up_to_date(job_of(file));
+    return !attempts.is_done && attempts.failures < tries() && Clock::now() >= attempts.next;
+  }
+
   /// Two files of one name and several formats may want one result.
-  bool is_first_with_name(const FilterJob& job) {
+  bool is_first_with_name(const WatchedFile& file) {
+    const FilterJob job = job_of(file);
     std::string& first = writers_[job.out];
-    if (first.empty() || !fs::exists(first)) first = job.in;
+    std::error_code ignored;
+    if (first.empty() || !fs::exists(first, ignored)) first = job.in;
     return first == job.in;
   }
 
-  bool is_due(const WatchedFile& file) {
-    const FilterJob job = job_of(file);
-    Attempts& attempts = attempts_[file.path];
-    if (attempts.file != file) {
-      const bool is_first = is_first_with_name(job);
-      if (!is_first)
-        fail(job, writers_[job.out] + " has the name " + job.out + " already; rename one");
-      attempts = {file, 0, !is_first || is_up_to_date(job), {}};
-    }
-    return !attempts.is_done && attempts.failures < kTries && Clock::now() >= attempts.next;
-  }
-
-  void fail(const FilterJob& job, const std::string& why) {
-    ++failed_;
-    std::cerr << "burnish: " << job.in << " failed: " << why << "\n";
-  }
-
   void work_off(const WatchedFile& file) {
-    const FilterOutcome outcome = run_job(options_.filter, edits_, job_of(file));
     Attempts& attempts = attempts_[file.path];
+    FilterOutcome outcome{job_of(file), FilterEnd::kFailed, {}, {}};
+    if (is_first_with_name(file)) {
+      outcome = run_job(options_.filter, edits_, outcome.job);
+      if (outcome.end == FilterEnd::kFailed) write_report(outcome);
+    } else {
+      attempts.failures = tries();
+      outcome.status = invalid_argument(writers_[outcome.job.out] + " has the name " +
+                                        outcome.job.out + " already; rename one");
+    }
     attempts.is_done = outcome.end != FilterEnd::kFailed;
     if (!attempts.is_done) {
-      ++attempts.failures;
+      attempts.failures = std::min(attempts.failures + 1, tries());
       attempts.next = Clock::now() + kRetryAfter * attempts.failures;
     }
     tell(outcome, attempts);
   }
 
-  void tell(const FilterOutcome& outcome, const Attempts& attempts) {
+  void write_report(const FilterOutcome& outcome) {
+    const Status reported = write_file(outcome.job.out + ".json", json_of(outcome) + "\n");
+    if (!reported.is_ok()) std::cerr << "burnish: " << reported.message() << "\n";
+  }
+
+  void tell(const FilterOutcome& outcome, const Attempts& attempts) const {
     if (options_.filter.json) {
       std::cout << json_of(outcome) << std::endl;
     } else if (attempts.is_done) {
@@ -127,12 +140,9 @@ class Watch {
       std::cout << std::flush;
     }
     if (attempts.is_done) return;
-    const Status reported = write_file(outcome.job.out + ".json", json_of(outcome) + "\n");
-    const char* const then = options_.once || attempts.failures == kTries
-                                 ? "; it is left until it changes"
-                                 : "; it is tried again";
-    fail(outcome.job, outcome.status.message() + then);
-    if (!reported.is_ok()) std::cerr << "burnish: " << reported.message() << "\n";
+    std::cerr << "burnish: " << outcome.job.in << " failed: " << outcome.status.message()
+              << (attempts.failures == tries() ? "; it is left until it changes\n"
+                                               : "; it is tried again\n");
   }
 
   const WatchOptions& options_;
@@ -140,7 +150,6 @@ class Watch {
   WatchedFolder& folder_;
   std::map<fs::path, Attempts> attempts_;
   std::map<std::string, std::string> writers_;  // IN by OUT
-  int failed_ = 0;
   Status told_ = Status::ok();
 };
 
