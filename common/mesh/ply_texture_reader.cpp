@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -156,15 +157,19 @@ class PlyTextureReader {
 
 void add_pictures(const std::vector<std::string>& names, const MeshSurroundings& beside,
                   SurfaceTextures& textures) {
+  std::map<std::string, uint32_t> pictures;  // by path: many names may be one
   for (const std::string& name : names) {
     SurfaceMaterial& material = textures.materials.emplace_back();
     material.to_picture.linear().diagonal() << 1, -1;
     material.to_picture.translation() << 0, 1;
     const auto path = beside.files->find(folder_of(beside.path), name);
     if (!path) continue;
-    material.picture = static_cast<uint32_t>(textures.pictures.size());
-    textures.pictures.push_back(
-        {*path, [files = beside.files, path = *path] { return files->read(path); }});
+    const auto [found, is_new] =
+        pictures.emplace(*path, static_cast<uint32_t>(textures.pictures.size()));
+    material.picture = found->second;
+    if (is_new)
+      textures.pictures.push_back(
+          {*path, [files = beside.files, path = *path] { return files->read(path); }});
   }
 }
 

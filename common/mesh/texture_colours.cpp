@@ -48,11 +48,13 @@ class TexturePainter {
     });
   }
 
-  /// Fails: as read_picture_rows(); invalid_argument beyond kTexelsMax; as the budget does.
+  /// Fails: as read_picture_rows(); unimplemented beyond the limits; as the budget does.
   Status paint(uint32_t picture, const std::string& name) {
     const auto triangles = triangles_of(picture);
     has_begun_ = false;
     if (triangles.empty()) return Status::ok();
+    if (picture >= kTexturePicturesMax)
+      return unimplemented("a scan shows " + std::to_string(kTexturePicturesMax) + " pictures");
     const SurfacePicture& drawn = textures_.pictures[picture];
     ASSIGN_OR_RETURN(const auto file, drawn.read());
     return paint(triangles, file, name + ": " + drawn.name);
@@ -174,10 +176,12 @@ class TexturePainter {
   }
 
   Status count_texels(const PictureSize& size) {
-    texels_ += uint64_t{size.width} * size.height;
-    if (texels_ <= kTexelsMax) return Status::ok();
-    return resource_exhausted("the pictures so far have " + std::to_string(texels_) +
-                              " pixels, the limit is " + std::to_string(kTexelsMax));
+    const uint64_t texels = texels_ + uint64_t{size.width} * size.height;
+    if (texels > kTexelsMax)
+      return unimplemented("the pictures so far have " + std::to_string(texels) +
+                           " pixels, the limit is " + std::to_string(kTexelsMax));
+    texels_ = texels;
+    return Status::ok();
   }
 
   /// Returns the memory that textures and sums take.
@@ -229,10 +233,6 @@ Status add_texture_colours(TriangleMesh& mesh, const SurfaceTextures& textures,
                            const PictureBudget& budget, const std::string& name) {
   // Readers walk through a file twice; one whose walks differ must not end a server.
   if (textures.triangles.size() != mesh.triangles.size()) return Status::ok();
-  if (textures.pictures.size() > kTexturePicturesMax)
-    return resource_exhausted(name + ": its materials have " +
-                              std::to_string(textures.pictures.size()) +
-                              " pictures, the limit is " + std::to_string(kTexturePicturesMax));
   ASSIGN_OR_RETURN(auto colours, texture_colours(mesh, textures, budget, name));
   if (!mesh.has_colours()) {
     if (!is_one_colour(colours)) mesh.colours = std::move(colours);

@@ -15,12 +15,12 @@ namespace burnish {
 /// light. Textures of another number of triangles colour nothing. Needs: valid indices.
 ///
 /// A triangle has the plain colour of its material where a coordinate is missing, not finite or
-/// above kTextureCoordinateMax, and where the picture is neither PNG nor JPEG. A picture is decoded
-/// row by row and never kept. `budget` hears the memory of the decoder, and of what a scan takes
-/// beside it: about 100 bytes a triangle. `name` is for messages.
+/// above kTextureCoordinateMax, where the picture is neither PNG nor JPEG, and where it is beyond
+/// kTexturePicturesMax pictures or kTexelsMax texels. A picture is decoded row by row and never
+/// kept. `budget` hears the memory of the decoder, and of what a scan takes beside it: about 100
+/// bytes a triangle. `name` is for messages.
 ///
-/// Fails: resource_exhausted (more than kTexturePicturesMax pictures, more than kTexelsMax texels);
-/// as a picture cannot be read, if the textures refuse damage; as `budget` does.
+/// Fails: as a picture cannot be read, if the textures refuse damage; as `budget` does.
 Status add_texture_colours(TriangleMesh& mesh, const SurfaceTextures& textures,
                            const PictureBudget& budget, const std::string& name);
 

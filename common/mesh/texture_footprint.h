@@ -51,7 +51,7 @@ class TextureFootprint {
   }
 
  private:
-  static constexpr double kRepetitionsMax = 16;
+  static constexpr double kRepetitionsMax = 4;
 
   /// Heights between which a row has these weights at the ends, and linear ones between.
   struct Band {
@@ -97,12 +97,13 @@ class TextureFootprint {
   /// line moves over many pixels of few rows.
   template <typename Add>
   void add_span(const Band& band, double begin, double end, const Add& add) const {
-    constexpr double kStepsMax = 16, kStepsOfPixel = 2, kFewRows = 8;
+    constexpr double kStepsOfPixel = 2, kFewRows = 8;
+    const double steps_max = band.is_coarse ? 4 : 16;
     constexpr std::array<double, 2> kGauss = {0.21132486540518713, 0.7886751345948129};
     const double rows = band.is_coarse ? 1 : end - begin;
     const double columns = width() * (end - begin) / height();
     const double density = kStepsOfPixel * std::min(1.0, kFewRows / height());
-    const double steps = std::clamp(std::ceil(std::max(rows, density * columns)), 1.0, kStepsMax);
+    const double steps = std::clamp(std::ceil(std::max(rows, density * columns)), 1.0, steps_max);
     const double step = (end - begin) / steps;
     const double slope = (band.weight_at_end - band.weight_at_begin) / (band.end - band.begin);
     for (double i = 0; i < steps; ++i)

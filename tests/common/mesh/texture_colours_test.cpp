@@ -205,13 +205,14 @@ TEST(TextureColours, AnotherKindOfPictureGivesThePlainColour) {
   EXPECT_EQ(means_of(kite(), textures)[1], (Rgba8{0, 0, 255, 255}));
 }
 
-TEST(TextureColours, TooManyPicturesAreNamed) {
+TEST(TextureColours, APictureBeyondTheLimitCountsAsMissing) {
   SurfaceTextures textures = textures_of(kite_corners(1, {0, 0}), "", {});
   textures.pictures.resize(1025, textures.pictures[0]);
-  TriangleMesh mesh = kite();
-  const Status status = add_texture_colours(mesh, textures, {}, "scan");
-  EXPECT_EQ(status.code(), StatusCode::kResourceExhausted);
-  EXPECT_THAT(status.message(), testing::AllOf(HasSubstr("1025 pictures"), HasSubstr("1024")));
+  textures.refuses_damage = true;
+  textures.triangles[1].material = kNoTexture;
+  textures.materials[0].picture = 1024;
+  textures.materials[0].plain = {0, 0, 1};
+  EXPECT_EQ(means_of(kite(), textures)[1], (Rgba8{0, 0, 255, 255}));
 }
 
 }  // namespace
