@@ -53,8 +53,10 @@ Status change_document(const ScriptLine& line, Document& document) {
   } else if (command == "keep_edges" && line.words[0] == kNoEdges) {
     document.commit(SetEdges{});
   } else if (command == "keep_edges") {
-    ASSIGN_OR_RETURN(const EdgePreset preset, find_edge_preset(line.words[0]));
-    document.keep_edges(preset.filter);
+    const auto preset = find_edge_preset(line.words[0]);
+    if (!preset.is_ok())
+      return invalid_argument(preset.status().message() + ", " + kAutoEdges + ", " + kNoEdges);
+    document.keep_edges(preset->filter);
   } else if (command == "brush") {
     ASSIGN_OR_RETURN(document.brush().brush, parse_brush(line.words));
   } else if (command == "mirror") {
