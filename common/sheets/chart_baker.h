@@ -31,7 +31,7 @@ class ChartBaker {
   TexelGrid resolve(const BakeSource& source) const;
 
  private:
-  /// What faces a sample. The third weight follows from the others.
+  /// The triangle that faces a sample. The third weight follows from the others.
   struct Hit {
     float distance = std::numeric_limits<float>::infinity();  ///< texels, to the page's surface
     uint32_t triangle = UINT32_MAX;

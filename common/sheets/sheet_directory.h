@@ -10,7 +10,7 @@
 
 namespace burnish {
 
-/// What a client must know of a sheet before it has the sheet.
+/// The facts that a client must know of a sheet before it has the sheet.
 struct SheetEntry {
   uint32_t bytes = 0;   ///< encoded
   uint16_t width = 0;   ///< texels

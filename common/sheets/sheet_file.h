@@ -15,7 +15,7 @@
 
 namespace burnish {
 
-/// What a sheet file belongs to.
+/// The pages and pictures that a sheet file belongs to.
 struct SheetOrigin {
   uint64_t pages_fingerprint = 0;  ///< pages_fingerprint() of the page file's head
   uint64_t pictures_fingerprint = 0;

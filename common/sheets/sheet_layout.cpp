@@ -16,7 +16,7 @@ struct SkylinePiece {
   uint32_t y;  ///< free from here on
 };
 
-/// What is taken of a sheet of one width.
+/// The outline of what is taken of a sheet of one width.
 class Skyline {
  public:
   explicit Skyline(uint32_t width) : width_(width), pieces_{{0, 0}} {}

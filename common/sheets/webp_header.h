@@ -14,7 +14,7 @@ enum class SheetCodec : uint8_t {
   kLosslessWebp = 2,
 };
 
-/// What the first bytes of a WebP file say.
+/// The facts that the first bytes of a WebP file say.
 struct WebpHeader {
   SheetCodec codec = SheetCodec::kLossyWebp;
   uint32_t width = 0;   ///< texels
