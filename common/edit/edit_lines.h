@@ -29,7 +29,7 @@ std::vector<CommandForm> edit_commands();
 /// Returns the kind of edit that a command is; nothing for another command.
 std::optional<EditKind> edit_kind_of(std::string_view command);
 
-/// Parses the words behind a command that is an edit. What they leave out stays as it is `now`.
+/// Parses the words behind a command that is an edit. Values that they leave out stay as `now`.
 /// Fails: as check_words() and validate() do; invalid_argument that names the word.
 Result<Change> parse_edit(std::string_view command, const std::vector<std::string>& words,
                           const Settings& now);

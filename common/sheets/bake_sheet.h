@@ -28,8 +28,8 @@ struct BakeWish {
   int samples_per_side = 1;    ///< of a texel: 1 where the source is as coarse, 2 where it is finer
 };
 
-/// Draws the source onto a page's charts, orthographically along each chart's normal. Of several
-/// triangles that face a texel, takes the one nearest to the page's surface. The gutter goes on
+/// Draws the source onto a page's charts, orthographically along each chart's normal. Where several
+/// triangles face a texel, the one nearest to the page's surface counts. The gutter goes on
 /// with what lies up to 6 texels above or below the page's border. Fills all other texels smoothly
 /// from their surroundings, so that filters and codecs find no steps there. A source that nothing
 /// faces makes a black, opaque sheet. Returns the texels row by row. The same input gives the same

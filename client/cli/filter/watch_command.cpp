@@ -35,7 +35,7 @@ struct WatchOptions {
   bool once = false;
 };
 
-/// What became of a file. It is forgotten when the file changes.
+/// The outcome of a file so far. It is forgotten when the file changes.
 struct Attempts {
   WatchedFile file;
   int failures = 0;
