@@ -27,8 +27,7 @@ struct EditOptions {
 /// The facts of a session that some edits need.
 struct EditedSession {
   ScanLengths lengths;
-  Equaliser equaliser;
-  Controls controls;
+  Settings settings;
   uint64_t edits = 0;
 };
 
@@ -43,12 +42,13 @@ Status propose(const std::string& scan, FilterChoice& choice, Connection& connec
 /// Asks only for what these edits need.
 Result<EditedSession> look_at(EditOptions& options, Connection& connection) {
   EditedSession there;
-  if (!options.controls.is_given() && !options.filter.needs_scan()) return there;
+  const FilterChoice& filter = options.filter;
+  if (!options.controls.is_given() && !filter.needs_settings() && !filter.needs_scan())
+    return there;
   ASSIGN_OR_RETURN(const SessionState state, connection.state(options.session));
-  there.controls = state.settings.controls;
-  there.equaliser = state.settings.equaliser;
+  there.settings = state.settings;
   there.edits = state.session.edits;
-  if (!options.filter.needs_scan()) return there;
+  if (!filter.needs_scan()) return there;
   const SessionInfo& session = state.session;
   ASSIGN_OR_RETURN(const ScanDescription scan,
                    connection.describe_scan(session.scan_id, session.key.depth));
@@ -68,7 +68,7 @@ Result<std::vector<Edit>> make_edits(const EditOptions& options, const EditedSes
   const auto add = [&](auto change) {
     edits.push_back({prefix + "-" + std::to_string(edits.size()), std::move(change)});
   };
-  ASSIGN_OR_RETURN(auto changes, changes_of(options.filter, there.lengths, there.equaliser));
+  ASSIGN_OR_RETURN(auto changes, changes_of(options.filter, there.lengths, there.settings));
   for (auto& change : changes) add(std::move(change));
   if (!options.stroke_file.empty()) {
     ASSIGN_OR_RETURN(std::vector<Stroke> strokes, read_stroke_file(options.stroke_file));
@@ -78,7 +78,7 @@ Result<std::vector<Edit>> make_edits(const EditOptions& options, const EditedSes
     ASSIGN_OR_RETURN(SetCellFields fields, read_cell_field_file(options.cell_field_file));
     add(std::move(fields));
   }
-  if (options.controls.is_given()) add(SetControls{options.controls.over(there.controls)});
+  if (options.controls.is_given()) add(SetControls{options.controls.over(there.settings.controls)});
   return edits;
 }
 

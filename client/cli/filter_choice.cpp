@@ -5,6 +5,7 @@
 #include "client/tools/own_presets.h"
 #include "common/base/check.h"
 #include "common/base/text_lines.h"
+#include "common/edit/edit_lines.h"
 #include "common/edit/wavelength.h"
 
 namespace burnish {
@@ -59,9 +60,21 @@ static void add_layer_options(CLI::App& command, FilterChoice& choice) {
       ->check(in_range(kAlphaMin, kAlphaMax));
 }
 
+static void add_edit_lines(CLI::App& command, FilterChoice& choice) {
+  command
+      .add_option("--edit", choice.lines,
+                  "Any edit, as a script writes it: 'colours 0.5'; more than one in their order")
+      ->type_name("LINE")
+      ->check(
+          [](const std::string& line) { return usage_message(parse_edit_line(line, {}).status()); })
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
 void add_filter_options(CLI::App& command, FilterChoice& choice) {
   add_alpha_options(command, choice);
   add_layer_options(command, choice);
+  add_edit_lines(command, choice);
   CLI::Option* preset = command
                             .add_option("--preset", choice.preset,
                                         "A preset of the window, by name, also one of your own")
@@ -168,15 +181,27 @@ static Status add_edges(const FilterChoice& choice, const ScanLengths& scan, Cha
   return Status::ok();
 }
 
+// A line may leave out values that an edit before it has set.
+static Status add_lines(const FilterChoice& choice, Settings now, Changes& changes) {
+  for (const Change& change : changes) now.take(change);
+  for (const std::string& line : choice.lines) {
+    auto change = parse_edit_line(line, now);
+    if (!change.is_ok()) return change.status().with_context("--edit");
+    now.take(*change);
+    changes.push_back(std::move(change).value());
+  }
+  return Status::ok();
+}
+
 Result<Changes> changes_of(const FilterChoice& choice, const ScanLengths& scan,
-                           const Equaliser& in_force) {
+                           const Settings& in_force) {
   Changes changes;
   if (!choice.preset.empty()) {
     ASSIGN_OR_RETURN(const Preset preset, find_any_preset(choice.preset));
     const PresetFilter filter = filter_of(preset, choice.strength, scan);
     changes.emplace_back(SetTransferCurve{filter.curve});
     changes.emplace_back(SetGradientScale{filter.beta});
-    if (choice.equaliser.bands.empty() && filter.equaliser != in_force)
+    if (choice.equaliser.bands.empty() && filter.equaliser != in_force.equaliser)
       changes.emplace_back(SetEqualiser{filter.equaliser});
   }
   if (choice.alpha) changes.emplace_back(SetTransferCurve{TransferCurve(*choice.alpha)});
@@ -187,6 +212,7 @@ Result<Changes> changes_of(const FilterChoice& choice, const ScanLengths& scan,
   if (choice.beta) changes.emplace_back(SetGradientScale{*choice.beta});
   RETURN_IF_ERROR(add_edges(choice, scan, changes));
   RETURN_IF_ERROR(add_layers(choice, changes));
+  RETURN_IF_ERROR(add_lines(choice, in_force, changes));
   return changes;
 }
 

@@ -25,9 +25,12 @@ struct FilterChoice {
   std::optional<EdgeFilter> proposed_edges;  ///< with kAutoEdges, by the scan
   std::optional<double> edge_strength, edge_angle, crispness;
   std::optional<int> edge_passes;
+  std::vector<std::string> lines;  ///< edits as a script writes them
 
   /// Returns whether the edits depend on the scan.
   bool needs_scan() const { return wavelength || !preset.empty() || names_edges(); }
+  /// Returns whether the edits depend on those before them.
+  bool needs_settings() const { return !preset.empty() || !lines.empty(); }
   bool asks_for_proposal() const { return keep_edges == kAutoEdges; }
   bool names_edges() const { return !keep_edges.empty() && keep_edges != kNoEdges; }
   bool keeps_edges() const { return names_edges() && edge_strength.value_or(1) > 0; }
@@ -39,17 +42,17 @@ struct FilterChoice {
 };
 
 /// Adds --alpha, --wavelength, --curve, --beta, --preset, --strength, --band, --palette,
-/// --colour-beta and --colour-alpha to a command or a group of its options.
+/// --colour-beta, --colour-alpha and --edit to a command or a group of its options.
 void add_filter_options(CLI::App& command, FilterChoice& choice);
 
 /// Adds --keep-edges and what changes its presets.
 void add_edge_options(CLI::App& command, FilterChoice& choice);
 
-/// Returns the edits that the choice stands for: curve, β, palette, equaliser, colours; none for
-/// what is not given. A preset ends the bands that are in force. Fails: not_found for an unknown
-/// preset; as the file of the palette cannot be read.
+/// Returns the edits that the choice stands for: curve, β, palette, equaliser, colours, then its
+/// lines; none for what is not given. A preset ends the bands that are in force. Fails: not_found
+/// for an unknown preset; as the file of the palette cannot be read.
 Result<std::vector<decltype(Edit::change)>> changes_of(const FilterChoice& choice,
                                                        const ScanLengths& scan,
-                                                       const Equaliser& in_force);
+                                                       const Settings& in_force);
 
 }  // namespace burnish

@@ -91,6 +91,14 @@ static Json to_json(const Palette& palette) {
   return curves;
 }
 
+static Json to_json(const EdgeFilter& edges) {
+  return {{"strength", edges.strength},
+          {"filter", name_of(edges.kind)},
+          {"angle", edges.edge_angle},
+          {"passes", edges.passes},
+          {"crispness", edges.crispness}};
+}
+
 Json to_json(const SessionState& state) {
   Json json = to_json(state.session);
   json["beta"] = state.settings.beta;
@@ -103,6 +111,7 @@ Json to_json(const SessionState& state) {
   json["bands"] = to_json(state.settings.equaliser);
   json["palette"] = to_json(state.settings.palette);
   json["colours"] = {{"beta", state.settings.colour.beta}, {"alpha", state.settings.colour.alpha}};
+  json["edges"] = to_json(state.settings.edges);
   json["memory_bytes"] = state.memory_bytes;
   json["backend"] = state.backend;
   if (state.cycles > 0) {

@@ -46,18 +46,14 @@ Status show(Connection& connection, const std::string& name, bool json) {
   std::printf("%-14s %s at depth %d\n", "scan", short_id(state.session.scan_id).c_str(),
               state.session.key.depth);
   std::printf("%-14s %llu\n", "edits", static_cast<unsigned long long>(state.session.edits));
-  std::printf("%-14s %g\n", "beta", state.settings.beta);
-  std::printf("%-14s %s\n", "curve", state.settings.curve.to_string().c_str());
-  std::printf("%-14s %s\n", "controls", text_of(state.settings.controls).c_str());
+  for (const SettingText& setting : texts_of(state.settings))
+    std::printf("%-14s %s\n", setting.key, setting.text.c_str());
   if (state.rims > 0)
     std::printf("%-14s %llu of %llu stay\n", "rims",
                 static_cast<unsigned long long>(state.rims_held),
                 static_cast<unsigned long long>(state.rims));
   if (const std::string walls = describe(state.walls); !walls.empty())
     std::printf("%s\n", walls.c_str());
-  std::printf("%-14s %s\n", "equaliser", text_of(state.settings.equaliser).c_str());
-  std::printf("%-14s %s\n", "palette", text_of(state.settings.palette).c_str());
-  std::printf("%-14s %s\n", "colours", text_of(state.settings.colour).c_str());
   std::printf("%-14s %s, %llu bytes\n", "solver", state.backend.c_str(),
               static_cast<unsigned long long>(state.memory_bytes));
   if (state.cycles > 0)

@@ -35,21 +35,20 @@ static Json output_of(const ProcessingRecord& record) {
 }
 
 static Json method_of(const ProcessingRecord& record) {
-  return {{"name", "screened Poisson equation, Chuang and Kazhdan 2011"},
-          {"depth", record.state.session.key.depth},
-          {"cell_size", record.prepared.cell_size},
-          {"length_unit", record.prepared.length_unit},
-          {"curvature_radius", record.state.session.key.curvature_radius},
-          {"gradient_scale", record.state.settings.beta},
-          {"transfer_curve", record.state.settings.curve.to_string()},
-          {"controls", text_of(record.state.settings.controls)},
-          {"equaliser", text_of(record.state.settings.equaliser)},
-          {"palette", to_line(record.state.settings.palette)},
-          {"colours", text_of(record.state.settings.colour)},
-          {"backend", record.state.backend},
-          {"cycles", record.result.cycles},
-          {"converged", record.result.converged},
-          {"distance", record.result.distance}};
+  Json method = {{"name", "screened Poisson equation, Chuang and Kazhdan 2011"},
+                 {"depth", record.state.session.key.depth},
+                 {"cell_size", record.prepared.cell_size},
+                 {"length_unit", record.prepared.length_unit},
+                 {"curvature_radius", record.state.session.key.curvature_radius}};
+  for (const SettingText& setting : texts_of(record.state.settings))
+    method[setting.key] = setting.text;
+  method["gradient_scale"] = record.state.settings.beta;
+  method["palette"] = to_line(record.state.settings.palette);
+  method["backend"] = record.state.backend;
+  method["cycles"] = record.result.cycles;
+  method["converged"] = record.result.converged;
+  method["distance"] = record.result.distance;
+  return method;
 }
 
 static Json edits_of(const ProcessingRecord& record) {

@@ -94,16 +94,13 @@ std::string files(const ProcessingRecord& record) {
 
 std::string method(const ProcessingRecord& record) {
   const ScanInfo& scan = record.scan;
-  return Facts("Method")
-      .add("Equation", "screened Poisson equation, Chuang and Kazhdan 2011")
+  Facts facts("Method");
+  facts.add("Equation", "screened Poisson equation, Chuang and Kazhdan 2011")
       .add("Grid", "depth " + std::to_string(record.state.session.key.depth) + ", cells of " +
-                       length_text(record.prepared.cell_size, scan.unit))
-      .add("Gradient scale β", number(record.state.settings.beta))
-      .add("Transfer curve α(κ)", record.state.settings.curve.to_string())
-      .add("Controls", text_of(record.state.settings.controls))
-      .add("Equaliser", text_of(record.state.settings.equaliser))
-      .add("Palette", text_of(record.state.settings.palette))
-      .add("Colours", text_of(record.state.settings.colour))
+                       length_text(record.prepared.cell_size, scan.unit));
+  for (const SettingText& setting : texts_of(record.state.settings))
+    facts.add(setting.label, setting.text);
+  return facts
       .add("Accuracy", number(record.result.distance) + " of the diagonal" +
                            (record.result.converged ? "" : ", not converged"))
       .end();

@@ -108,6 +108,54 @@ struct Edit {
 using PreviewChange = std::variant<SetGradientScale, SetTransferCurve, Stroke, SetEqualiser,
                                    SetPalette, SetColour, SetEdges>;
 
+/// The values that the last edit of each kind sets for a whole session.
+struct Settings {
+  double beta = kBetaDefault;  ///< of cells that are not painted
+  TransferCurve curve{kAlphaDefault};
+  Controls controls;
+  Equaliser equaliser;
+  Palette palette;
+  ColourFilter colour;
+  EdgeFilter edges;
+  bool operator==(const Settings&) const = default;
+
+  /// Takes what the change sets. Edits of places, and of which edits count, set nothing here.
+  void take(const Change& change);
+  void take(const PreviewChange& change);
+};
+
+/// What an edit changes, in the terms of the solver.
+struct EditEffects {
+  bool metric = false;  ///< α1, α2: new matrices
+  bool beta = false;    ///< only a new constraint
+  bool shown = false;   ///< nothing for the solver: what is shown of its result
+
+  bool any() const { return metric || beta || shown; }
+  EditEffects& operator|=(const EditEffects& other) {
+    metric |= other.metric;
+    beta |= other.beta;
+    shown |= other.shown;
+    return *this;
+  }
+};
+
+/// Returns what a gesture changes.
+EditEffects effects_of(const PreviewChange& gesture);
+/// Returns what setting others changes.
+EditEffects effects_between(const Settings& before, const Settings& after);
+
+/// Returns one change for each of the settings, in the order of EditKind. Together they make them.
+std::vector<Change> changes_that_make(const Settings& settings);
+
+/// One of the settings for people.
+struct SettingText {
+  const char* key;    ///< in the processing record: "transfer_curve"
+  const char* label;  ///< "Transfer curve α(κ)"
+  std::string text;   ///< "0:50"
+};
+/// Returns a text for each of the settings, in the order of EditKind.
+std::vector<SettingText> texts_of(const Settings& settings);
+
 /// In the order of Change. edit_kinds.cpp has a row for each.
 enum class EditKind {
   kGradientScale,

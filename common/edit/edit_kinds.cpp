@@ -52,6 +52,53 @@ Status check_cells(const SetCellFields& change) {
   return Status::ok();
 }
 
+std::string setting_text(double beta) {
+  return number(beta);
+}
+
+std::string setting_text(const TransferCurve& curve) {
+  return curve.to_string();
+}
+
+template <typename Value>
+std::string setting_text(const Value& value) {
+  return text_of(value);
+}
+
+/// How a kind is one of the settings. Without a key it is none.
+struct SettingFacts {
+  const char* key = nullptr;    ///< see SettingText
+  const char* label = nullptr;  ///< see SettingText
+  EditEffects effects;
+  void (*take)(Settings&, const Change&) = nullptr;
+  bool (*is_same)(const Settings&, const Settings&) = nullptr;
+  Change (*change)(const Settings&) = nullptr;
+  std::string (*text)(const Settings&) = nullptr;
+};
+
+constexpr SettingFacts kNoSetting = {
+    .effects = {},
+    .take = [](Settings&, const Change&) {},
+    .is_same = [](const Settings&, const Settings&) { return true; }};
+
+/// `kMember` of Settings is `kValue` of the kind.
+template <typename Kind, auto kMember, auto kValue>
+constexpr SettingFacts setting(const char* key, const char* label, EditEffects effects) {
+  return {key,
+          label,
+          effects,
+          [](Settings& settings, const Change& change) {
+            settings.*kMember = std::get<Kind>(change).*kValue;
+          },
+          [](const Settings& one, const Settings& other) { return one.*kMember == other.*kMember; },
+          [](const Settings& settings) -> Change {
+            Kind kind;
+            kind.*kValue = settings.*kMember;
+            return kind;
+          },
+          [](const Settings& settings) { return setting_text(settings.*kMember); }};
+}
+
 /// The facts that hold for all edits of a kind.
 struct EditKindFacts {
   EditKind kind;
@@ -60,19 +107,22 @@ struct EditKindFacts {
   int entry;  ///< see entry_number()
   Status (*check)(const Change&);
   std::string (*summary)(const Change&);
+  SettingFacts setting;
 };
 
 /// `check` and `summary` are lambdas without captures that take the kind's own type. A kind that
 /// has another type's place does not compile.
 template <EditKind kKind, typename Check, typename Summary>
-constexpr EditKindFacts facts(const char* name, bool makes_fields, int entry, Check, Summary) {
+constexpr EditKindFacts facts(const char* name, bool makes_fields, int entry, Check, Summary,
+                              SettingFacts setting) {
   constexpr auto kPlace = static_cast<size_t>(kKind);
   return {kKind,
           name,
           makes_fields,
           entry,
           [](const Change& change) { return Check{}(std::get<kPlace>(change)); },
-          [](const Change& change) { return Summary{}(std::get<kPlace>(change)); }};
+          [](const Change& change) { return Summary{}(std::get<kPlace>(change)); },
+          setting};
 }
 
 template <typename T>
@@ -81,43 +131,60 @@ constexpr auto kAnyValue = [](const T&) { return Status::ok(); };
 constexpr std::array<EditKindFacts, std::variant_size_v<Change>> kEditKinds = {
     facts<EditKind::kGradientScale>(
         "slider", true, 1, [](const SetGradientScale& change) { return check_beta(change.beta); },
-        [](const SetGradientScale& change) { return "beta " + number(change.beta); }),
+        [](const SetGradientScale& change) { return "beta " + number(change.beta); },
+        setting<SetGradientScale, &Settings::beta, &SetGradientScale::beta>(
+            "gradient_scale", "Gradient scale β", {.beta = true})),
     facts<EditKind::kTransferCurve>(
         "curve", true, 2, kAnyValue<SetTransferCurve>,  // a curve is checked where it is made
-        [](const SetTransferCurve& change) { return text_of(change.curve); }),
+        [](const SetTransferCurve& change) { return text_of(change.curve); },
+        setting<SetTransferCurve, &Settings::curve, &SetTransferCurve::curve>(
+            "transfer_curve", "Transfer curve α(κ)", {.metric = true})),
     facts<EditKind::kStroke>(
         "stroke", true, 3, [](const Stroke& stroke) { return validate(stroke); },
-        [](const Stroke& stroke) { return text_of(stroke); }),
+        [](const Stroke& stroke) { return text_of(stroke); }, kNoSetting),
     facts<EditKind::kCellFields>(
         "cells", true, 4, [](const SetCellFields& change) { return check_cells(change); },
         [](const SetCellFields& change) {
           return "fields of " + count(change.cells.size(), "cell");
-        }),
+        },
+        kNoSetting),
     facts<EditKind::kControls>(
         "controls", true, 7,
         [](const SetControls& change) { return check_controls(change.controls); },
-        [](const SetControls& change) { return text_of(change.controls); }),
+        [](const SetControls& change) { return text_of(change.controls); },
+        setting<SetControls, &Settings::controls, &SetControls::controls>("controls", "Controls",
+                                                                          {.shown = true})),
     facts<EditKind::kProtect>(
         "protect", true, 8, [](const Protect& change) { return validate(change); },
-        [](const Protect& change) { return summary(change); }),
+        [](const Protect& change) { return summary(change); }, kNoSetting),
     facts<EditKind::kEqualiser>(
         "equaliser", true, 9,
         [](const SetEqualiser& change) { return check_equaliser(change.equaliser); },
-        [](const SetEqualiser& change) { return text_of(change.equaliser); }),
+        [](const SetEqualiser& change) { return text_of(change.equaliser); },
+        setting<SetEqualiser, &Settings::equaliser, &SetEqualiser::equaliser>(
+            "equaliser", "Equaliser", {.shown = true})),
     facts<EditKind::kPalette>(
         "palette", true, 10, [](const SetPalette& change) { return check_palette(change.palette); },
-        [](const SetPalette& change) { return text_of(change.palette); }),
+        [](const SetPalette& change) { return text_of(change.palette); },
+        setting<SetPalette, &Settings::palette, &SetPalette::palette>(
+            "palette", "Palette", {.metric = true, .shown = true})),
     facts<EditKind::kColour>(
         "colour", true, 11,
         [](const SetColour& change) { return check_colour_filter(change.filter); },
-        [](const SetColour& change) { return text_of(change.filter); }),
+        [](const SetColour& change) { return text_of(change.filter); },
+        setting<SetColour, &Settings::colour, &SetColour::filter>("colours", "Colours",
+                                                                  {.shown = true})),
     facts<EditKind::kEdges>(
         "edges", true, 12, [](const SetEdges& change) { return check_edge_filter(change.filter); },
-        [](const SetEdges& change) { return text_of(change.filter); }),
-    facts<EditKind::kUndo>("undo", false, 0, kAnyValue<Undo>,
-                           [](const Undo&) { return std::string("undo"); }),
-    facts<EditKind::kRedo>("redo", false, 0, kAnyValue<Redo>,
-                           [](const Redo&) { return std::string("redo"); }),
+        [](const SetEdges& change) { return text_of(change.filter); },
+        setting<SetEdges, &Settings::edges, &SetEdges::filter>("edges", "Kept edges",
+                                                               {.beta = true})),
+    facts<EditKind::kUndo>(
+        "undo", false, 0, kAnyValue<Undo>, [](const Undo&) { return std::string("undo"); },
+        kNoSetting),
+    facts<EditKind::kRedo>(
+        "redo", false, 0, kAnyValue<Redo>, [](const Redo&) { return std::string("redo"); },
+        kNoSetting),
     facts<EditKind::kSwitchEntry>(
         "switch", false, 0,
         [](const SwitchEntry& change) {
@@ -126,22 +193,23 @@ constexpr std::array<EditKindFacts, std::variant_size_v<Change>> kEditKinds = {
         [](const SwitchEntry& change) {
           return std::string("switch ") + (change.enabled ? "on " : "off ") +
                  std::to_string(change.entry);
-        }),
+        },
+        kNoSetting),
     facts<EditKind::kSetCheckpoint>(
         "checkpoint", false, 5,
         [](const SetCheckpoint& change) {
           return check_name("the checkpoint's name", change.name);
         },
-        [](const SetCheckpoint& change) { return change.name; }),
+        [](const SetCheckpoint& change) { return change.name; }, kNoSetting),
     facts<EditKind::kRestoreCheckpoint>(
         "restore", false, 0,
         [](const RestoreCheckpoint& change) {
           return check_name("the checkpoint's name", change.name);
         },
-        [](const RestoreCheckpoint& change) { return "restore " + change.name; }),
+        [](const RestoreCheckpoint& change) { return "restore " + change.name; }, kNoSetting),
     facts<EditKind::kDamaged>(
         "damaged", false, 6, [](const Damaged& change) { return data_loss(change.reason); },
-        [](const Damaged& change) { return "skipped: " + change.reason; }),
+        [](const Damaged& change) { return "skipped: " + change.reason; }, kNoSetting),
 };
 
 constexpr bool has_each_kind_in_order() {
@@ -162,8 +230,22 @@ constexpr auto kColumn = [] {
 }();
 
 template <auto kFact>
+constexpr auto kSettingColumn = [] {
+  std::array<std::remove_cvref_t<decltype(kEditKinds[0].setting.*kFact)>, kEditKinds.size()>
+      column{};
+  for (size_t i = 0; i < column.size(); ++i) column[i] = kEditKinds[i].setting.*kFact;
+  return column;
+}();
+
+template <auto kFact>
 auto fact_of(EditKind kind) {
   return kColumn<kFact>[static_cast<size_t>(kind)];
+}
+
+EditEffects effects_of(const Brush& brush) {
+  if (brush.curve > 0) return {.metric = true};
+  if (brush.band > 0 || brush.colour) return {.shown = true};
+  return {.beta = true};
 }
 
 }  // namespace
@@ -193,6 +275,44 @@ Status validate(const Edit& edit) {
 
 std::string summary(const Edit& edit) {
   return fact_of<&EditKindFacts::summary>(kind_of(edit))(edit.change);
+}
+
+void Settings::take(const Change& change) {
+  kSettingColumn<&SettingFacts::take>[change.index()](*this, change);
+}
+
+void Settings::take(const PreviewChange& change) {
+  std::visit([this](const auto& one) { take(Change(one)); }, change);
+}
+
+EditEffects effects_of(const PreviewChange& gesture) {
+  if (const auto* stroke = std::get_if<Stroke>(&gesture)) return effects_of(stroke->brush);
+  return std::visit(
+      [](const auto& one) { return kSettingColumn<&SettingFacts::effects>[Change(one).index()]; },
+      gesture);
+}
+
+EditEffects effects_between(const Settings& before, const Settings& after) {
+  EditEffects effects;
+  for (size_t kind = 0; kind < kEditKinds.size(); ++kind)
+    if (!kSettingColumn<&SettingFacts::is_same>[kind](before, after))
+      effects |= kSettingColumn<&SettingFacts::effects>[kind];
+  return effects;
+}
+
+std::vector<Change> changes_that_make(const Settings& settings) {
+  std::vector<Change> changes;
+  for (const auto change : kSettingColumn<&SettingFacts::change>)
+    if (change) changes.push_back(change(settings));
+  return changes;
+}
+
+std::vector<SettingText> texts_of(const Settings& settings) {
+  std::vector<SettingText> texts;
+  for (const EditKindFacts& kind : kEditKinds)
+    if (kind.setting.key)
+      texts.push_back({kind.setting.key, kind.setting.label, kind.setting.text(settings)});
+  return texts;
 }
 
 }  // namespace burnish

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <sstream>
 #include <utility>
 
 #include "common/base/line_text.h"
@@ -235,6 +237,14 @@ const EditLine* find_line(std::string_view command) {
   return nullptr;
 }
 
+std::string names_of_field_edits() {
+  std::string names;
+  for (const EditLine& line : kEditLines)
+    if (line.parse && makes_fields(line.kind))
+      names.append(names.empty() ? "" : ", ").append(line.form.name);
+  return names;
+}
+
 }  // namespace
 
 Status check_words(const CommandForm& form, size_t words) {
@@ -262,6 +272,18 @@ Result<Change> parse_edit(std::string_view command, const Words& words, const Se
   ASSIGN_OR_RETURN(Change change, line->parse(words, now));
   RETURN_IF_ERROR(validate(Edit{{}, change}));
   return change;
+}
+
+Result<Change> parse_edit_line(std::string_view line, const Settings& now) {
+  std::istringstream stream{std::string(line)};
+  Words words{std::istream_iterator<std::string>(stream), {}};
+  const std::string command = words.empty() ? "" : words.front();
+  const auto kind = edit_kind_of(command);
+  if (!kind || !makes_fields(*kind))
+    return invalid_argument("'" + command + "' is no edit of a scan: it is one of " +
+                            names_of_field_edits());
+  words.erase(words.begin());
+  return parse_edit(command, words, now);
 }
 
 std::string line_of(const Change& change) {

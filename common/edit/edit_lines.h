@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "common/edit/edit.h"
-#include "common/edit/settings.h"
 
 namespace burnish {
 
@@ -33,6 +32,10 @@ std::optional<EditKind> edit_kind_of(std::string_view command);
 /// Fails: as check_words() and validate() do; invalid_argument that names the word.
 Result<Change> parse_edit(std::string_view command, const std::vector<std::string>& words,
                           const Settings& now);
+
+/// Parses a whole line that is an edit fields are made of: "colours 0.5". Fails: as parse_edit()
+/// does; invalid_argument for another command.
+Result<Change> parse_edit_line(std::string_view line, const Settings& now);
 
 /// Returns the line that parses back to the same edit: "beta 0.5". Empty for an edit that no script
 /// can say.

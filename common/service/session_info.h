@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "common/edit/settings.h"
+#include "common/edit/edit.h"
 #include "common/measure/deviation.h"
 #include "common/mesh/mesh_io.h"
 #include "common/mesh/thin_walls.h"

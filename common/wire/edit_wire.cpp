@@ -63,64 +63,61 @@ Result<Stroke> stroke_from_wire(const v1::Stroke& message) {
   return stroke;
 }
 
-Status read_change(const v1::Edit& message, Edit& edit) {
-  switch (message.change_case()) {
-    case v1::Edit::kGradientScale:
-      edit.change = SetGradientScale{message.gradient_scale().beta()};
-      return Status::ok();
-    case v1::Edit::kTransferCurve: {
-      ASSIGN_OR_RETURN(TransferCurve curve, from_wire(message.transfer_curve()));
-      edit.change = SetTransferCurve{std::move(curve)};
-      return Status::ok();
-    }
-    case v1::Edit::kStroke: {
-      ASSIGN_OR_RETURN(edit.change, stroke_from_wire(message.stroke()));
-      return Status::ok();
-    }
-    case v1::Edit::kCellFields:
-      return append_cells(message.cell_fields(), edit.change.emplace<SetCellFields>());
-    case v1::Edit::kControls:
-      edit.change = SetControls{from_wire(message.controls())};
-      return Status::ok();
-    case v1::Edit::kProtect: {
-      ASSIGN_OR_RETURN(edit.change, from_wire(message.protect()));
-      return Status::ok();
-    }
-    case v1::Edit::kEqualiser:
-      edit.change = SetEqualiser{from_wire(message.equaliser())};
-      return Status::ok();
-    case v1::Edit::kPalette: {
-      ASSIGN_OR_RETURN(Palette palette, from_wire(message.palette()));
-      edit.change = SetPalette{std::move(palette)};
-      return Status::ok();
-    }
-    case v1::Edit::kColour:
-      edit.change = SetColour{from_wire(message.colour(), true)};
-      return Status::ok();
-    case v1::Edit::kEdges: {
-      ASSIGN_OR_RETURN(const EdgeFilter filter, from_wire(message.edges()));
-      edit.change = SetEdges{filter};
-      return Status::ok();
-    }
-    case v1::Edit::kUndo:
-      edit.change = Undo{};
-      return Status::ok();
-    case v1::Edit::kRedo:
-      edit.change = Redo{};
-      return Status::ok();
-    case v1::Edit::kSwitchEntry:
-      edit.change = SwitchEntry{message.switch_entry().entry(), message.switch_entry().enabled()};
-      return Status::ok();
-    case v1::Edit::kSetCheckpoint:
-      edit.change = SetCheckpoint{message.set_checkpoint().name()};
-      return Status::ok();
-    case v1::Edit::kRestoreCheckpoint:
-      edit.change = RestoreCheckpoint{message.restore_checkpoint().name()};
-      return Status::ok();
-    case v1::Edit::CHANGE_NOT_SET:
-      break;
+/// Reads a kind that gestures show, from an Edit or a Preview; leaves `change` alone for others.
+template <typename Message>
+Status read_shown(const Message& message, std::optional<Change>& change) {
+  if (message.has_gradient_scale()) change = SetGradientScale{message.gradient_scale().beta()};
+  if (message.has_transfer_curve()) {
+    ASSIGN_OR_RETURN(TransferCurve curve, from_wire(message.transfer_curve()));
+    change = SetTransferCurve{std::move(curve)};
   }
-  return invalid_argument("it changes nothing that this server knows");
+  if (message.has_stroke()) {
+    ASSIGN_OR_RETURN(change, stroke_from_wire(message.stroke()));
+  }
+  if (message.has_equaliser()) change = SetEqualiser{from_wire(message.equaliser())};
+  if (message.has_palette()) {
+    ASSIGN_OR_RETURN(Palette palette, from_wire(message.palette()));
+    change = SetPalette{std::move(palette)};
+  }
+  if (message.has_colour()) change = SetColour{from_wire(message.colour(), true)};
+  if (message.has_edges()) {
+    ASSIGN_OR_RETURN(const EdgeFilter filter, from_wire(message.edges()));
+    change = SetEdges{filter};
+  }
+  return Status::ok();
+}
+
+/// Reads the kinds that no gesture shows.
+Status read_unshown(const v1::Edit& message, std::optional<Change>& change) {
+  if (message.has_cell_fields()) {
+    SetCellFields cells;
+    RETURN_IF_ERROR(append_cells(message.cell_fields(), cells));
+    change = std::move(cells);
+  }
+  if (message.has_controls()) change = SetControls{from_wire(message.controls())};
+  if (message.has_protect()) {
+    ASSIGN_OR_RETURN(change, from_wire(message.protect()));
+  }
+  if (message.has_undo()) change = Undo{};
+  if (message.has_redo()) change = Redo{};
+  if (message.has_switch_entry())
+    change = SwitchEntry{message.switch_entry().entry(), message.switch_entry().enabled()};
+  if (message.has_set_checkpoint()) change = SetCheckpoint{message.set_checkpoint().name()};
+  if (message.has_restore_checkpoint())
+    change = RestoreCheckpoint{message.restore_checkpoint().name()};
+  return Status::ok();
+}
+
+/// Returns the edit if its id and its values are right; else names it.
+Result<Edit> checked(const std::string& id, Status read, std::optional<Change> change) {
+  RETURN_IF_ERROR(check_edit_id(id));
+  const auto named = [&](const Status& status) { return status.with_context("edit " + id); };
+  if (read.is_ok() && !change) read = invalid_argument("it changes nothing that this server knows");
+  if (!read.is_ok()) return named(read);
+  Edit edit{id, *std::move(change)};
+  const Status valid = validate(edit);
+  if (!valid.is_ok()) return named(valid);
+  return edit;
 }
 
 /// Sets the member of the oneof of a message that can have the change: Edit or Preview.
@@ -380,13 +377,16 @@ Result<Settings> read_settings(const v1::HistoryChanged& message) {
 }
 
 Result<Edit> from_wire(const v1::Edit& message) {
-  RETURN_IF_ERROR(check_edit_id(message.id()));
-  Edit edit;
-  edit.id = message.id();
-  Status status = read_change(message, edit);
-  if (status.is_ok()) status = validate(edit);
-  if (!status.is_ok()) return status.with_context("edit " + edit.id);
-  return edit;
+  std::optional<Change> change;
+  Status read = read_shown(message, change);
+  if (read.is_ok() && !change) read = read_unshown(message, change);
+  return checked(message.id(), std::move(read), std::move(change));
+}
+
+Result<Edit> from_wire(const v1::Preview& message) {
+  std::optional<Change> change;
+  Status read = read_shown(message, change);
+  return checked(message.edit_id(), std::move(read), std::move(change));
 }
 
 Result<std::vector<Edit>> edits_from_wire(

@@ -2,7 +2,6 @@
 
 #include "burnish/v1/editing.pb.h"
 #include "common/edit/edit.h"
-#include "common/edit/settings.h"
 
 namespace burnish {
 
@@ -11,6 +10,8 @@ v1::Edit to_wire(const Edit& edit);
 /// Fails: invalid_argument naming the edit's id, the value and its limit. Every value that can be
 /// checked without the mesh is.
 Result<Edit> from_wire(const v1::Edit& message);
+/// Returns the edit that the gesture would be, so that the same values are refused.
+Result<Edit> from_wire(const v1::Preview& message);
 
 /// Reads 1 to kEditsPerFrameMax edits. Fails: invalid_argument as above, or naming their number.
 Result<std::vector<Edit>> edits_from_wire(

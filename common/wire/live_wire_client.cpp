@@ -66,18 +66,8 @@ Result<FrameCredit> read_credit(const v1::Credit& message) {
                      message.frame_bytes()};
 }
 
-// Read as the edit that will follow, so that the same values are refused.
 Result<Preview> read_preview(const v1::Preview& message) {
-  v1::Edit whole;
-  whole.set_id(message.edit_id());
-  if (message.has_gradient_scale()) *whole.mutable_gradient_scale() = message.gradient_scale();
-  if (message.has_transfer_curve()) *whole.mutable_transfer_curve() = message.transfer_curve();
-  if (message.has_stroke()) *whole.mutable_stroke() = message.stroke();
-  if (message.has_equaliser()) *whole.mutable_equaliser() = message.equaliser();
-  if (message.has_palette()) *whole.mutable_palette() = message.palette();
-  if (message.has_colour()) *whole.mutable_colour() = message.colour();
-  if (message.has_edges()) *whole.mutable_edges() = message.edges();
-  ASSIGN_OR_RETURN(Edit edit, from_wire(whole));
+  ASSIGN_OR_RETURN(Edit edit, from_wire(message));
   return Preview{std::move(edit.id), *preview_of(std::move(edit.change))};
 }
 

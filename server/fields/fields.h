@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "common/edit/settings.h"
+#include "common/edit/edit.h"
 #include "server/fields/alphas.h"
 #include "server/fields/connected_dabs.h"
 #include "server/fields/fields_view.h"

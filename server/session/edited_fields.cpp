@@ -147,12 +147,10 @@ Status EditedFields::catch_up(const Progress& progress) {
 
 void EditedFields::set(const Settings& settings) {
   const Settings& before = fields_.settings();
-  const bool palette = settings.palette != before.palette;
-  changes_ |=
-      {.metric = settings.curve != before.curve || (palette && fields_.has_painted_curves()),
-       .beta = settings.beta != before.beta || settings.edges != before.edges,
-       .shown = palette || settings.equaliser != before.equaliser ||
-                settings.colour != before.colour || settings.controls != before.controls};
+  EditEffects effects = effects_between(before, settings);
+  // A palette makes new matrices only where one of its curves is painted.
+  if (!fields_.has_painted_curves()) effects.metric = settings.curve != before.curve;
+  changes_ |= effects;
   fields_.set(settings);
 }
 

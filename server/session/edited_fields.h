@@ -31,21 +31,6 @@ class EditedFields {
   /// `born_with` counts until an edit sets others.
   explicit EditedFields(const PreparedMesh& prepared, const Controls& born_with = {});
 
-  /// The changes, in the terms of the solver.
-  struct Changes {
-    bool metric = false;  ///< α1, α2: new matrices
-    bool beta = false;    ///< only a new constraint
-    bool shown = false;   ///< nothing for the solver: what is shown of its result
-
-    bool any() const { return metric || beta || shown; }
-    Changes& operator|=(const Changes& other) {
-      metric |= other.metric;
-      beta |= other.beta;
-      shown |= other.shown;
-      return *this;
-    }
-  };
-
   /// Takes all edits or none into the history, which is quick. The fields are behind until they
   /// catch up. Returns the number that History::apply gives for each. Needs: ids that the history
   /// does not know. Fails: as validate() and History::apply() do, and for a cell that is not
@@ -77,8 +62,8 @@ class EditedFields {
   LayerCheck layers() const;
 
   /// The changes since the last take_changes().
-  const Changes& changes() const { return changes_; }
-  Changes take_changes() { return std::exchange(changes_, {}); }
+  const EditEffects& changes() const { return changes_; }
+  EditEffects take_changes() { return std::exchange(changes_, {}); }
 
   /// Lets a later replay begin at a checkpoint that was kept elsewhere.
   void offer(PaintCheckpoint checkpoint) { checkpoints_.add(std::move(checkpoint)); }
@@ -149,7 +134,7 @@ class EditedFields {
   Protection protection_;
   std::vector<uint64_t> protects_applied_;  // entries that protection_ has, in order
   std::vector<uint64_t> protects_done_;     // entries whose cells are held, in order
-  Changes changes_{true, true};
+  EditEffects changes_{true, true};
   std::vector<uint64_t> cells_done_;    // entries whose cells the fields have, in order
   std::vector<uint64_t> strokes_done_;  // series of the strokes that the fields have
   std::optional<Begun> begun_;          // one more stroke, with some of its cells in the fields

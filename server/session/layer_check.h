@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "common/edit/settings.h"
+#include "common/edit/edit.h"
 
 namespace burnish {
 

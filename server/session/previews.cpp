@@ -4,34 +4,8 @@
 
 namespace burnish {
 
-namespace {
-
-/// Says what a kind of edit changes.
-struct ChangesOf {
-  using Changes = Previews::Changes;
-
-  Changes operator()(const SetGradientScale&) const { return {.beta = true}; }
-  Changes operator()(const SetTransferCurve&) const { return {.metric = true}; }
-  Changes operator()(const SetPalette&) const { return {.metric = true}; }
-  Changes operator()(const SetEqualiser&) const { return {.shown = true}; }
-  Changes operator()(const SetColour&) const { return {.shown = true}; }
-  Changes operator()(const SetEdges&) const { return {.beta = true}; }
-  Changes operator()(const Stroke& stroke) const {
-    const Brush& brush = stroke.brush;
-    if (brush.curve > 0) return {.metric = true};
-    if (brush.band > 0 || brush.colour) return {.shown = true};
-    return {.beta = true};
-  }
-};
-
-}  // namespace
-
-Previews::Changes Previews::changes_by(const Gesture& gesture) {
-  return std::visit(ChangesOf{}, gesture.change);
-}
-
 void Previews::show(uint64_t connection, Gesture gesture) {
-  changes_ |= changes_by(gesture);
+  changes_ |= effects_of(gesture.change);
   const auto mine = std::ranges::find(shown_, connection, &Shown::connection);
   const bool goes_on = mine != shown_.end() && mine->gesture.edit_id == gesture.edit_id &&
                        mine->gesture.change.index() == gesture.change.index();
@@ -50,7 +24,7 @@ void Previews::show(uint64_t connection, Gesture gesture) {
 void Previews::drop(uint64_t connection) {
   const auto mine = std::ranges::find(shown_, connection, &Shown::connection);
   if (mine == shown_.end()) return;
-  changes_ |= changes_by(mine->gesture);
+  changes_ |= effects_of(mine->gesture.change);
   copy_is_old_ = true;
   shown_.erase(mine);
 }
@@ -67,7 +41,7 @@ void Previews::drop_applied(const History& history) {
   for (const uint64_t connection : applied) drop(connection);
 }
 
-const Fields& Previews::over(const Fields& edited, Changes& changes) {
+const Fields& Previews::over(const Fields& edited, EditEffects& changes) {
   copy_is_old_ |= changes.any();
   changes |= std::exchange(changes_, {});
   if (shown_.empty()) {
@@ -101,9 +75,9 @@ void Previews::set_counting(Settings settings) {
   copy_->set(counting_beside_edges(std::move(settings), copy_->edge_paint() != nullptr));
 }
 
-Previews::Changes Previews::set_aside() {
-  Changes changes = std::exchange(changes_, {});
-  for (const Shown& shown : shown_) changes_ |= changes_by(shown.gesture);
+EditEffects Previews::set_aside() {
+  EditEffects changes = std::exchange(changes_, {});
+  for (const Shown& shown : shown_) changes_ |= effects_of(shown.gesture.change);
   copy_is_old_ = true;  // the edited fields may change before the next over()
   changes |= changes_;
   return changes;

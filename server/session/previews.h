@@ -22,8 +22,6 @@ struct Gesture {
 /// counts; strokes are painted in the order in which they began.
 class Previews {
  public:
-  using Changes = EditedFields::Changes;
-
   /// Begins a connection's gesture, or continues it if the id is the same. A continued stroke keeps
   /// the path so far as the beginning of the new one.
   void show(uint64_t connection, Gesture gesture);
@@ -44,14 +42,14 @@ class Previews {
 
   /// Returns the edited fields with the gestures on top, valid until the next call. Needs:
   /// `changes` says what has changed in the edited fields. Adds the changes by gestures.
-  const Fields& over(const Fields& edited, Changes& changes);
+  const Fields& over(const Fields& edited, EditEffects& changes);
 
   /// Returns the result of the last over(). Needs: the same edited fields.
   const Fields& shown(const Fields& edited) const { return copy_ ? *copy_ : edited; }
 
   /// For a solve without gestures: returns the changes that leave them out. The next over() brings
   /// them back.
-  Changes set_aside();
+  EditEffects set_aside();
 
   uint64_t byte_count() const { return copy_ ? copy_->byte_count() : 0; }
 
@@ -62,14 +60,13 @@ class Previews {
     size_t painted_dabs = 0;  ///< dabs of a stroke that the copy has
   };
 
-  static Changes changes_by(const Gesture& gesture);
   void apply(Shown& shown);
   void set_counting(Settings settings);
 
   std::vector<Shown> shown_;
   std::optional<Fields> copy_;  // with all shown gestures
   bool copy_is_old_ = false;
-  Changes changes_;  // since the last over()
+  EditEffects changes_;  // since the last over()
 };
 
 }  // namespace burnish

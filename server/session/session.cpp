@@ -41,12 +41,12 @@ struct Session::State {
   }
 
   /// Adds to the changes that the kept edges have another target.
-  void note_target(EditedFields::Changes& changes) {
+  void note_target(EditEffects& changes) {
     const TargetView target = edges.target();
     changes.beta |= !target.is_same(std::exchange(seen_target, target));
   }
 
-  void update_solver(const Fields& fields, const EditedFields::Changes& changes) {
+  void update_solver(const Fields& fields, const EditEffects& changes) {
     if (changes.metric)
       solver->set_metric(view_of(fields));
     else if (changes.beta)
@@ -60,7 +60,7 @@ struct Session::State {
     is_from_scan &= !changes.metric && !changes.beta && !bands.is_solving() && !colour.is_solving();
   }
 
-  void update_for(const SolveOptions& options, const EditedFields::Changes& changes) {
+  void update_for(const SolveOptions& options, const EditEffects& changes) {
     const bool is_new = changes.metric || changes.beta;
     if (!options.exact || !is_new) update_solver(edited.fields(), changes);
     if (options.exact && (is_new || !is_from_scan)) start_over(edited.fields());
@@ -216,7 +216,7 @@ bool Session::is_changed() const {
 
 void Session::update() {
   (void)state_->edited.catch_up();  // nobody cancels it
-  EditedFields::Changes changes = state_->edited.take_changes();
+  EditEffects changes = state_->edited.take_changes();
   const Fields& shown = state_->previews.over(state_->edited.fields(), changes);
   const Status kept = state_->edges.show(shown, state_->edited.fields());
   if (!kept.is_ok()) state_->status = kept;
@@ -264,7 +264,7 @@ bool Session::is_exact(const StepReport& last) const {
 Result<SolveReport> Session::solve(const SolveOptions& options, const Progress& progress) {
   RETURN_IF_ERROR(state_->edited.catch_up(progress));
   RETURN_IF_ERROR(state_->edges.want(state_->edited.fields(), progress));
-  EditedFields::Changes changes = state_->edited.take_changes();
+  EditEffects changes = state_->edited.take_changes();
   changes |= state_->previews.set_aside();
   state_->note_target(changes);
   state_->update_for(options, changes);

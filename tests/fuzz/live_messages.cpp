@@ -56,7 +56,7 @@ class Desk {
 
   /// After any messages the fields can be shown, and are finite.
   void show() {
-    EditedFields::Changes changes = edited_.take_changes();
+    EditEffects changes = edited_.take_changes();
     for (const float beta : previews_.over(edited_.fields(), changes).view().beta)
       BURNISH_CHECK(beta >= kBetaMin && beta <= kBetaMax, "beta of a cell");
   }

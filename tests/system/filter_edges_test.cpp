@@ -56,6 +56,20 @@ TEST_F(FilterCommand, TheScansOwnNoiseSaysHowEdgesAreKept) {
   }
 }
 
+TEST_F(FilterCommand, AnEditAsALineIsTheEditOfItsOption) {
+  ASSERT_EQ(burnish({"generate", "part", in(), "--vertices", "2500", "--noise", "0.2"}), 0)
+      << output_;
+  ASSERT_EQ(burnish({"filter", in(), out(), "--alpha", "20", "--beta", "0.5"}), 0) << output_;
+  const auto expected = read_mesh(out())->vertices;
+  ASSERT_EQ(burnish({"filter", in(), out(), "--edit", "curve 0:20", "--edit", "beta 0.5"}), 0)
+      << output_;
+  EXPECT_EQ(read_mesh(out())->vertices, expected);
+  EXPECT_EQ(burnish({"filter", in(), out(), "--edit", "beta 11"}), 2);
+  EXPECT_THAT(output_, HasSubstr("beta 11 is outside 0..10"));
+  EXPECT_EQ(burnish({"filter", in(), out(), "--edit", "undo"}), 2);
+  EXPECT_THAT(output_, HasSubstr("'undo' is no edit of a scan"));
+}
+
 TEST_F(FilterCommand, WordsOfKeptEdgesAreChecked) {
   EXPECT_EQ(burnish({"filter", in(), out(), "--keep-edges", "corners"}), 2);
   EXPECT_THAT(output_, HasSubstr("'corners' keeps no edges; there are machined, scanner, soft, "

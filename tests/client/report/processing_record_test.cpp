@@ -48,6 +48,19 @@ TEST(ProcessingRecord, SaysAsJsonWhoDidWhat) {
   EXPECT_EQ(json["edited_since"], false);
 }
 
+TEST(ProcessingRecord, HasEverySettingOfTheSession) {
+  ProcessingRecord record = record_of_head();
+  record.state.settings.edges.strength = 0.5;
+  const auto method = nlohmann::json::parse(record_json(record))["method"];
+  const std::string page = record_page(record);
+  for (const SettingText& setting : texts_of(record.state.settings)) {
+    EXPECT_TRUE(method.contains(setting.key)) << setting.key;
+    EXPECT_THAT(page, HasSubstr(setting.label));
+  }
+  EXPECT_EQ(method["gradient_scale"], 0.25);
+  EXPECT_THAT(method["edges"], HasSubstr("kept at strength 0.5"));
+}
+
 TEST(ProcessingRecord, PageShowsNamesAsTheyAreWritten) {
   const std::string page = record_page(record_of_head());
   EXPECT_THAT(page, HasSubstr("head &lt;of&gt; &quot;a&quot; god"));

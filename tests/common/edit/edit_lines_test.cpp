@@ -53,6 +53,14 @@ TEST(EditLines, WhatAColourLineLeavesOutStays) {
   EXPECT_EQ(line_of(*change_of("colours 0.5", now)), "colours 0.5 33");
 }
 
+TEST(EditLines, AWholeLineIsAnEditOfTheScanOrSaysWhichAre) {
+  EXPECT_EQ(line_of(*parse_edit_line("  beta   0.5 ", {})), "beta 0.5");
+  for (const char* const line : {"", "undo", "cells 1"})
+    EXPECT_THAT(parse_edit_line(line, {}).status().message(),
+                HasSubstr("is no edit of a scan: it is one of beta, curve, stroke, controls"))
+        << line;
+}
+
 TEST(EditLines, AWrongValueIsNamedWithItsLimit) {
   const auto message = [](const std::string& line) { return change_of(line).status().message(); };
   EXPECT_THAT(message("beta 11"), HasSubstr("11"));

@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/edit/edit_lines.h"
+#include "common/edit/preview_change.h"
 #include "common/wire/edit_bytes.h"
 
 namespace burnish {
@@ -90,6 +92,24 @@ TEST(EditWire, EveryKindOfChangeComesBackUnchangedFromBytes) {
   EXPECT_EQ(
       std::get<SetTransferCurve>(edit_from_bytes(edit_to_bytes(edits[1])).value().change).curve,
       curve);
+}
+
+TEST(EditWire, EverySettingComesBackFromAnEditAndFromAGesture) {
+  for (const Change& change : changes_that_make({.beta = 0.25, .colour = {.beta = 0.5}})) {
+    const Edit edit{"e1", change};
+    SCOPED_TRACE(edit_kind_name(kind_of(edit)));
+    const auto came_back = from_wire(to_wire(edit));
+    ASSERT_TRUE(came_back.is_ok()) << came_back.status().to_string();
+    EXPECT_EQ(line_of(came_back->change), line_of(change));
+    const auto shown = preview_of(change);
+    if (!shown) continue;
+    v1::Preview message;
+    message.set_edit_id("e1");
+    write_preview(*shown, message);
+    const auto gesture = from_wire(message);
+    ASSERT_TRUE(gesture.is_ok()) << gesture.status().to_string();
+    EXPECT_EQ(line_of(gesture->change), line_of(change));
+  }
 }
 
 TEST(EditWire, StrokesOfEarlierVersionsPaintThroughWallsAndKeepTheirBytes) {

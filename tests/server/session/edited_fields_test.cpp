@@ -121,7 +121,7 @@ TEST_F(EditedFieldsTest, TheSolverHearsOnlyOfWhatChanged) {
   (void)edited.take_changes();
   const auto changes = [&](decltype(Edit::change) change) {
     EXPECT_TRUE(apply(edited, std::move(change)).is_ok());
-    const EditedFields::Changes changed = edited.take_changes();
+    const EditEffects changed = edited.take_changes();
     return std::string(changed.metric ? "matrix " : "") + (changed.beta ? "rhs" : "");
   };
   EXPECT_EQ(changes(SetGradientScale{0.5}), "rhs");

@@ -32,7 +32,7 @@ struct Cells {
 class PreviewsTest : public testing::Test {
  protected:
   Cells shown() {
-    EditedFields::Changes changes = edited_.take_changes();
+    EditEffects changes = edited_.take_changes();
     return Cells(previews_.over(edited_.fields(), changes));
   }
   void apply(const std::string& author, Edit edit) {
@@ -86,7 +86,7 @@ TEST_F(PreviewsTest, OfSlidersTheLastOneMovedCounts) {
 TEST_F(PreviewsTest, SlidersLeaveTheMetricAlone) {
   (void)shown();
   previews_.show(1, {"ann", "a", SetGradientScale{0.25}});
-  EditedFields::Changes changes;
+  EditEffects changes;
   (void)previews_.over(edited_.fields(), changes);
   EXPECT_TRUE(changes.beta);
   EXPECT_FALSE(changes.metric);
@@ -168,7 +168,7 @@ TEST_F(PreviewsTest, LeaveTheFieldsOfAPlainReplayBitForBit) {
     Crowd crowd(*prepared_, seed);
     for (int step = 0; step < 60; ++step) {
       crowd.step();
-      EditedFields::Changes changes = crowd.edited.take_changes();
+      EditEffects changes = crowd.edited.take_changes();
       const Cells seen(crowd.previews.over(crowd.edited.fields(), changes));
       const Cells replayed(crowd.plain.fields());
       ASSERT_EQ(Cells(crowd.edited.fields()), replayed) << "seed " << seed;
