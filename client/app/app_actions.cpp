@@ -7,6 +7,7 @@
 #include "client/app/words.h"
 #include "client/model/document_actions.h"
 #include "client/scene/png_writer.h"
+#include "common/mesh/mesh_format.h"
 
 namespace burnish {
 
@@ -48,8 +49,7 @@ void App::do_action(Action action) {
 }
 
 void App::ask_for_scan() {
-  file_dialog_.ask({.title = "Open a scan",
-                    .extensions = {".ply", ".obj", ".stl", ".off", ".glb", ".gltf", ".zip"}},
+  file_dialog_.ask({.title = "Open a scan", .extensions = mesh_extensions()},
                    workspace_->preferences,
                    [this](const std::filesystem::path& file) { open_files({file}); });
 }

@@ -8,6 +8,7 @@
 #include "client/app/places.h"
 #include "client/app/theme.h"
 #include "client/model/typed_path.h"
+#include "common/mesh/mesh_format.h"
 
 namespace burnish {
 
@@ -50,10 +51,7 @@ void ExportDialog::draw(Workspace& workspace) {
   const bool browses = ImGui::Button("Browse…");
   hint("Chooses the file in a dialog.");
   if (browses)
-    question_ = {FileQuestion::Purpose::kSave,
-                 "Export to",
-                 {".ply", ".obj", ".stl", ".off", ".glb", ".gltf", ".zip"},
-                 typed_path(path_)};
+    question_ = {FileQuestion::Purpose::kSave, "Export to", mesh_extensions(), typed_path(path_)};
   ImGui::Checkbox("Exact", &exact_);
   note_place("Exact");
   hint("Solves until the surface is within 1e-5 of the diagonal; this takes longer.");

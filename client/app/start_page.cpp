@@ -9,6 +9,7 @@
 #include "client/app/start_page_lists.h"
 #include "client/app/theme.h"
 #include "client/model/typed_path.h"
+#include "common/mesh/mesh_format.h"
 
 namespace burnish {
 
@@ -43,7 +44,7 @@ void StartPage::draw_open(Workspace& workspace) {
   if (noted("Open a scan", ImGui::Button("Open a scan…", {-1, em(4)}))) wants_to_open_ = true;
   ImGui::PopFont();
   ImGui::PopStyleColor(4);
-  hint("Chooses a mesh file: .ply, .obj, .stl, .off, .glb, .gltf or .zip (Ctrl+O).");
+  hint(("Chooses a mesh file: " + extensions_text() + " (Ctrl+O).").c_str());
   faint_text("or drop a file on the window, or type its path");
   ImGui::SetNextItemWidth(-em(5));
   const bool entered = ImGui::InputTextWithHint("##file", "~/scans/head.ply", &file_,

@@ -11,6 +11,7 @@
 #include "client/connection/export_files.h"
 #include "client/report/processing_record.h"
 #include "common/base/atomic_file.h"
+#include "common/mesh/mesh_format.h"
 
 namespace burnish {
 
@@ -72,8 +73,9 @@ void add_export_command(CommandTable& table) {
   command
       ->add_option(
           "OUT", options->out,
-          "File to write: .ply, .obj, .stl, .off, .glb, .gltf or .zip; or a folder. The scan's own "
-          "format keeps all that it has, with the files beside it")
+          "File to write: " + extensions_text() +
+              "; or a folder. The scan's own format keeps all that it has, with the files beside "
+              "it")
       ->required();
   command->add_flag("--force", options->force,
                     "Replace files beside OUT that are there with other content");

@@ -8,6 +8,7 @@
 #include "client/cli/server_option.h"
 #include "client/report/depth_text.h"
 #include "common/bundle/scan_bundle.h"
+#include "common/mesh/mesh_format.h"
 #include "common/mesh/rewrite/left_out.h"
 
 namespace burnish {
@@ -80,10 +81,9 @@ void add_import_command(CommandTable& table) {
   CLI::App* command = table.add("import", "Send a scan to the server, which prepares and keeps it",
                                 [options] { return run(*options); });
   command
-      ->add_option(
-          "SCAN", options->file,
-          "Mesh file: .ply, .obj, .stl, .off, .glb or .gltf; a folder with one; or a .zip. "
-          "The files that an OBJ names go along")
+      ->add_option("SCAN", options->file,
+                   "Mesh file: " + extensions_text() +
+                       "; or a folder with one. Files that it names go along")
       ->required();
   command->add_flag("--alone", options->alone,
                     "Send the mesh file without the files that it names");

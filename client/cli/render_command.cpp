@@ -9,6 +9,7 @@
 #include "client/cli/print_json.h"
 #include "client/pictures/picture.h"
 #include "client/scene/png_writer.h"
+#include "common/mesh/mesh_format.h"
 #include "common/mesh/mesh_io.h"
 
 namespace burnish {
@@ -134,9 +135,7 @@ void add_render_command(CommandTable& commands) {
   PictureOptions& picture = options->picture;
   CLI::App* command = commands.add("render", "Draw a picture of a scan, without a window",
                                    [options] { return render(*options); });
-  command
-      ->add_option("SCAN", options->scan, "Mesh file: .ply, .obj, .stl, .off, .glb, .gltf or .zip")
-      ->required();
+  command->add_option("SCAN", options->scan, "Mesh file: " + extensions_text())->required();
   command->add_option("OUT", options->out, "Picture to write: .png")->required();
   command
       ->add_option_function<std::string>(

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "common/base/status.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/mesh_format.h"
 
 namespace burnish {
 

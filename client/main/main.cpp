@@ -6,7 +6,7 @@
 #include "client/cli/command.h"
 #include "client/cli/commands.h"
 #include "common/base/wait_policy.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/mesh_format.h"
 
 static char kWindow[] = "window";
 

@@ -9,7 +9,7 @@
 
 #include "common/base/mapped_file.h"
 #include "common/base/status.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/mesh_format.h"
 
 namespace burnish {
 

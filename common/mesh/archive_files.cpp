@@ -46,10 +46,10 @@ Result<ArchivedMesh> find_mesh(const Archive& archive) {
     mesh = ArchivedMesh{e, entry.name, mesh_format_of_path(entry.name).value()};
   }
   if (mesh) return *mesh;
-  return invalid_argument(archive.name() + ": none of its " +
-                          std::to_string(archive.entries().size()) +
-                          " entries is a mesh; it must have 1 .obj, .ply, .stl, .off, .glb or "
-                          ".gltf");
+  return invalid_argument(
+      archive.name() + ": none of its " + std::to_string(archive.entries().size()) +
+      " entries is a mesh; it must have 1 " +
+      extensions_text([](MeshFormat format) { return format != MeshFormat::kZip; }));
 }
 
 }  // namespace burnish

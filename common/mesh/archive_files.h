@@ -7,7 +7,7 @@
 
 #include "common/archive/archive.h"
 #include "common/mesh/files_beside.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/mesh_format.h"
 
 namespace burnish {
 

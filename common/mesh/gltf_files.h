@@ -8,7 +8,7 @@
 
 #include "common/gltf/document.h"
 #include "common/mesh/files_beside.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/mesh_format.h"
 
 namespace burnish {
 

@@ -145,8 +145,8 @@ Status write_mesh(const MeshView& mesh, const std::filesystem::path& path) {
   ASSIGN_OR_RETURN(const MeshFormat format, written_format_of_path(path));
   if (!is_written_for_any_scan(format))
     return invalid_argument("cannot write " + path.string() + ": only a scan from a " +
-                            path.extension().string() +
-                            " file is written as one; use .ply, .obj, .stl or .glb");
+                            path.extension().string() + " file is written as one; use " +
+                            extensions_text(is_written_for_any_scan));
   RETURN_IF_ERROR(validate(mesh).with_context("cannot write " + path.string()));
   ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(path));
   RETURN_IF_ERROR(writer_of(format)(mesh, file));

@@ -7,25 +7,11 @@
 
 #include "common/base/status.h"
 #include "common/mesh/files_beside.h"
+#include "common/mesh/mesh_format.h"
 #include "common/mesh/stored_mesh.h"
 #include "common/mesh/triangle_mesh.h"
 
 namespace burnish {
-
-/// The mesh formats, by the extension of a file. kZip is a mesh file with the files beside it,
-/// packed as one archive.
-enum class MeshFormat { kPly, kObj, kStl, kOff, kGlb, kGltf, kZip };
-
-/// Returns whether write_mesh() writes the format for any scan. rewrite/rewrite.h writes the others
-/// for scans that came in them.
-bool is_written_for_any_scan(MeshFormat format);
-
-/// Returns the format by file extension, in any case. Fails: invalid_argument that names the path
-/// and the choices.
-Result<MeshFormat> mesh_format_of_path(const std::filesystem::path& path);
-
-/// Does the same for a file to write, in other words. Some formats need a scan that came in them.
-Result<MeshFormat> written_format_of_path(const std::filesystem::path& path);
 
 /// Reads and validates a mesh, and its textures. Messages name the file, the place in
 /// it, the value and the limit. Fails: not_found, permission_denied, invalid_argument (damaged,

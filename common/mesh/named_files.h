@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/mesh/files_beside.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/mesh_format.h"
 
 namespace burnish {
 

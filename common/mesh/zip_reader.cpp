@@ -4,6 +4,7 @@
 #include "common/base/limits.h"
 #include "common/mesh/archive_files.h"
 #include "common/mesh/mesh_formats.h"
+#include "common/mesh/mesh_io.h"
 
 namespace burnish {
 

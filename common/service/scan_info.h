@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "common/base/status.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/mesh_format.h"
 #include "common/mesh/statistics.h"
 #include "common/mesh/thin_walls.h"
 
@@ -80,12 +80,6 @@ inline constexpr size_t kUnitBytesMax = 16;
 /// Checks the name of a scan's unit: "" or up to kUnitBytesMax bytes as check_name() wants them.
 /// Fails: invalid_argument.
 Status check_unit(std::string_view unit);
-
-/// "ply", "obj", "stl", "off", "glb", "gltf", "zip".
-std::string_view mesh_format_name(MeshFormat format);
-
-/// Returns the format of a name. Fails: invalid_argument that names the choices.
-Result<MeshFormat> mesh_format_of_name(std::string_view name);
 
 /// The fewest digits of an id that are a reference. A name is not so many hexadecimal digits.
 inline constexpr size_t kIdBeginDigits = 4;

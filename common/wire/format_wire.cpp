@@ -7,46 +7,14 @@
 namespace burnish {
 
 v1::MeshFormat to_wire(MeshFormat format) {
-  switch (format) {
-    case MeshFormat::kPly:
-      return v1::MESH_FORMAT_PLY;
-    case MeshFormat::kObj:
-      return v1::MESH_FORMAT_OBJ;
-    case MeshFormat::kStl:
-      return v1::MESH_FORMAT_STL;
-    case MeshFormat::kOff:
-      return v1::MESH_FORMAT_OFF;
-    case MeshFormat::kGlb:
-      return v1::MESH_FORMAT_GLB;
-    case MeshFormat::kGltf:
-      return v1::MESH_FORMAT_GLTF;
-    case MeshFormat::kZip:
-      return v1::MESH_FORMAT_ZIP;
-  }
-  return v1::MESH_FORMAT_UNSPECIFIED;
+  return static_cast<v1::MeshFormat>(format);
 }
 
 Result<MeshFormat> from_wire(v1::MeshFormat format) {
-  switch (format) {
-    case v1::MESH_FORMAT_PLY:
-      return MeshFormat::kPly;
-    case v1::MESH_FORMAT_OBJ:
-      return MeshFormat::kObj;
-    case v1::MESH_FORMAT_STL:
-      return MeshFormat::kStl;
-    case v1::MESH_FORMAT_OFF:
-      return MeshFormat::kOff;
-    case v1::MESH_FORMAT_GLB:
-      return MeshFormat::kGlb;
-    case v1::MESH_FORMAT_GLTF:
-      return MeshFormat::kGltf;
-    case v1::MESH_FORMAT_ZIP:
-      return MeshFormat::kZip;
-    default:
-      break;
-  }
+  for (const auto& [known, name] : kMeshFormats)
+    if (to_wire(known) == format) return known;
   return invalid_argument("mesh format " + std::to_string(static_cast<int>(format)) +
-                          " is outside 1 (PLY) to 7 (GLTF)");
+                          " is none of 1 to " + std::to_string(kMeshFormats.size()));
 }
 
 void set_chunk(uint64_t offset, std::string_view piece, v1::Chunk& chunk) {

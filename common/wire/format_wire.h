@@ -4,7 +4,7 @@
 
 #include "burnish/v1/common.pb.h"
 #include "common/base/types.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/mesh_format.h"
 #include "common/mesh/thin_walls.h"
 #include "common/service/scan_info.h"
 

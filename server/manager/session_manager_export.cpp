@@ -4,6 +4,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include "common/mesh/mesh_io.h"
 #include "common/mesh/rewrite/left_out.h"
 #include "common/mesh/rewrite/write_plan.h"
 #include "server/manager/session_manager_held.h"

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "common/base/scratch_space.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/mesh_format.h"
 #include "server/memory/quota.h"
 #include "server/prepare/preparation_need.h"
 

@@ -4,6 +4,7 @@
 
 #include "client/cli/in_range.h"
 #include "common/base/limits.h"
+#include "common/mesh/mesh_format.h"
 
 namespace burnish {
 
@@ -51,17 +52,18 @@ void add_solve_options(CLI::App& command, FilterOptions& options) {
 void add_file_options(CLI::App& command, FilterOptions& options) {
   command
       .add_option("FILES", options.files,
-                  "IN and OUT: .ply, .obj, .stl, .off, .glb, .gltf or .zip; '-' is standard input "
-                  "or output. With --out-dir each is an IN. The format of IN keeps all that IN has")
+                  "IN and OUT: " + extensions_text() +
+                      "; '-' is standard input or output. With --out-dir each is an IN. The format "
+                      "of IN keeps all that IN has")
       ->required();
   command.add_option("--out-dir", options.out_dir,
                      "Write each file under its own name into this folder, and make it");
   command.add_option("--from", options.from, "Format of standard input")
-      ->check(CLI::IsMember(format_words()))
+      ->check(CLI::IsMember(mesh_format_names()))
       ->capture_default_str();
   command
       .add_option("--to", options.to, "Format in the folder, or of standard output (default: IN's)")
-      ->check(CLI::IsMember(format_words()));
+      ->check(CLI::IsMember(mesh_format_names()));
   CLI::Option* force = command.add_flag(
       "--force", options.force, "Replace IN where OUT is the same file, and files beside OUT");
   CLI::Option* no_clobber =
@@ -82,11 +84,6 @@ void add_file_options(CLI::App& command, FilterOptions& options) {
 }
 
 }  // namespace
-
-const std::vector<std::string>& format_words() {
-  static const std::vector<std::string> kWords = {"ply", "obj", "stl", "off", "glb", "gltf", "zip"};
-  return kWords;
-}
 
 void add_run_options(CLI::App& command, FilterOptions& options) {
   add_file_options(command, options);

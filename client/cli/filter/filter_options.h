@@ -39,7 +39,4 @@ void add_run_options(CLI::App& command, FilterOptions& options);
 /// Adds the filter and how it is solved alone.
 void add_work_options(CLI::App& command, FilterOptions& options);
 
-/// The words of mesh formats.
-const std::vector<std::string>& format_words();
-
 }  // namespace burnish

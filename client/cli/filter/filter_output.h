@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "client/cli/filter/filter_file.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/mesh_format.h"
 #include "common/mesh/rewrite/moved_mesh.h"
 #include "common/mesh/rewrite/write_plan.h"
 

@@ -14,6 +14,7 @@
 #include "client/cli/in_range.h"
 #include "common/base/atomic_file.h"
 #include "common/base/parallel.h"
+#include "common/mesh/mesh_format.h"
 
 namespace burnish {
 
@@ -182,7 +183,7 @@ void add_watch_command(CommandTable& table) {
   command->add_option("IN_DIR", options->folder, "Folder into which scans are put")->required();
   command->add_option("OUT_DIR", filter.out_dir, "Folder for the results; it is made")->required();
   command->add_option("--to", filter.to, "Format of the results (default: IN's)")
-      ->check(CLI::IsMember(format_words()));
+      ->check(CLI::IsMember(mesh_format_names()));
   command
       ->add_option("--still", options->still,
                    "Seconds for which a file has not changed when it is whole")

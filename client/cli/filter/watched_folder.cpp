@@ -7,7 +7,7 @@
 #include <sys/inotify.h>
 #include <sys/stat.h>
 
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/mesh_format.h"
 
 namespace burnish {
 

@@ -19,10 +19,9 @@ from .progress import Progress, report
 
 CHUNK_BYTES = 1 << 20
 CHUNKS_AHEAD = 4
-FORMATS = {".ply": common_pb2.MESH_FORMAT_PLY, ".obj": common_pb2.MESH_FORMAT_OBJ,
-           ".stl": common_pb2.MESH_FORMAT_STL, ".off": common_pb2.MESH_FORMAT_OFF,
-           ".glb": common_pb2.MESH_FORMAT_GLB, ".zip": common_pb2.MESH_FORMAT_ZIP,
-           ".gltf": common_pb2.MESH_FORMAT_GLTF}
+FORMATS: dict[str, common_pb2.MeshFormat] = {
+    "." + name.removeprefix("MESH_FORMAT_").lower(): number
+    for name, number in common_pb2.MeshFormat.items() if number}
 FORMAT_NAMES = {number: name[1:] for name, number in FORMATS.items()}
 
 

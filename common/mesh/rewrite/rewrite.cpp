@@ -7,7 +7,8 @@
 #include "common/base/atomic_file.h"
 #include "common/base/check.h"
 #include "common/base/mapped_file.h"
-#include "common/mesh/format_extension.h"
+#include "common/mesh/mesh_format.h"
+#include "common/mesh/mesh_io.h"
 #include "common/mesh/rewrite/format_rewriters.h"
 #include "common/mesh/rewrite/gltf_rewriter.h"
 #include "common/mesh/rewrite/packed_mesh.h"
@@ -66,7 +67,7 @@ static Status write_rewritten(std::span<const uint8_t> original, MeshFormat form
 /// Packs a file as it is, alone.
 static Result<std::vector<uint8_t>> pack_alone(std::span<const uint8_t> file,
                                                const OriginalFile& original) {
-  const std::string extension(extension_of(original.format));
+  const std::string extension = extension_of(original.format);
   FileToPack packed = {original.name + extension, file};
   const bool is_name = packed.name.find('/') == std::string::npos && packed.name[0] != '.';
   if (!is_name || !check_entry_name(packed.name).is_ok()) packed.name = "scan" + extension;

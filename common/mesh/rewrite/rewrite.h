@@ -6,7 +6,7 @@
 #include <string>
 
 #include "common/base/status.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/mesh_format.h"
 #include "common/mesh/output_buffer.h"
 #include "common/mesh/rewrite/moved_mesh.h"
 

@@ -5,8 +5,8 @@
 
 #include "common/base/mapped_file.h"
 #include "common/mesh/archive_files.h"
-#include "common/mesh/format_extension.h"
 #include "common/mesh/gltf_files.h"
+#include "common/mesh/mesh_format.h"
 
 namespace burnish {
 
@@ -16,9 +16,9 @@ Result<WriteWay> find_way(MeshFormat file, MeshFormat mesh, MeshFormat to,
   if (to == MeshFormat::kZip) return WriteWay::kPack;
   if (to == mesh) return WriteWay::kUnpack;
   if (is_written_for_any_scan(to)) return WriteWay::kConvert;
-  const std::string wish(extension_of(to));
+  const std::string wish = extension_of(to);
   return invalid_argument(name + (file == MeshFormat::kZip ? " has a " : " is a ") +
-                          std::string(extension_of(mesh)) + " file: only a scan from a " + wish +
+                          extension_of(mesh) + " file: only a scan from a " + wish +
                           " file is written as " + wish + "; use .ply, .obj, .stl, .glb or .zip");
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/base/status.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/mesh_format.h"
 #include "common/mesh/rewrite/rewrite.h"
 
 namespace burnish {

@@ -6,13 +6,12 @@ import { useLink } from "./context";
 import { Button, Check, Choice, Row } from "./controls";
 import { Dialog } from "./dialog";
 import type { Document } from "./snapshot";
-
-const kKinds = ["ply", "obj", "stl", "off", "glb", "gltf", "zip"] as const;
+import { kMeshKinds } from "./start_page";
 
 export function ExportDialog({ document, onClose }: { document: Document; onClose: () => void }) {
   const link = useLink();
   const [name, setName] = useState(document.session);
-  const [kind, setKind] = useState<(typeof kKinds)[number]>("ply");
+  const [kind, setKind] = useState<(typeof kMeshKinds)[number]>("ply");
   const [exact, setExact] = useState(false);
   const [record, setRecord] = useState(false);
   const take = () => {
@@ -34,7 +33,7 @@ export function ExportDialog({ document, onClose }: { document: Document; onClos
         name="Format"
         labelled
         value={kind}
-        choices={kKinds.map((one) => [one, "." + one] as const)}
+        choices={kMeshKinds.map((one) => [one, "." + one] as const)}
         onChange={setKind}
       />
       <Check

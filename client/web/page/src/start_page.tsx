@@ -8,7 +8,10 @@ import { ScanList, SessionList, pictureOf } from "./library_lists";
 import type { Library, Session } from "./snapshot";
 import { dayOf } from "./words";
 
-export const kMeshFiles = ".ply,.obj,.stl,.off,.glb,.gltf,.zip";
+/** The mesh formats, by the extension of a file. */
+export const kMeshKinds = ["ply", "obj", "stl", "off", "glb", "gltf", "zip"] as const;
+const kExtensions = kMeshKinds.map((one) => "." + one);
+export const kMeshFiles = kExtensions.join(",");
 const kCardsMax = 8;
 
 export function StartPage({ library, onOpen }: { library: Library; onOpen: () => void }) {
@@ -19,7 +22,7 @@ export function StartPage({ library, onOpen }: { library: Library; onOpen: () =>
       <div class="start-columns">
         <div>
           <Button label="Open a scan…" class="strong open" hint="Chooses a mesh file (Ctrl+O)." onClick={onOpen} />
-          <p class="faint">or drop a file on the page: .ply, .obj, .stl, .off, .glb, .gltf or .zip</p>
+          <p class="faint">or drop a file on the page: {kExtensions.slice(0, -1).join(", ")} or {kExtensions.at(-1)}</p>
           <Server library={library} />
         </div>
         <div>
