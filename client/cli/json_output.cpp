@@ -21,27 +21,17 @@ static Json to_json(const ThinWalls& walls) {
 
 Json to_json(const ScanInfo& scan) {
   const MeshStatistics& s = scan.statistics;
-  Json json = {{"id", scan.id},
-               {"name", scan.name},
-               {"format", mesh_format_name(scan.format)},
-               {"size_bytes", scan.size_bytes},
-               {"imported_unix_seconds", scan.imported_unix_seconds},
-               {"default_depth", scan.default_depth},
-               {"has_colours", scan.has_colours},
-               {"unit", scan.unit},
-               {"vertices", s.vertices},
-               {"triangles", s.triangles},
-               {"boundary_edges", s.boundary_edges},
-               {"non_manifold_edges", s.non_manifold_edges},
-               {"components", s.components},
-               {"zero_area_triangles", s.zero_area_triangles},
-               {"unreferenced_vertices", s.unreferenced_vertices},
-               {"area", s.area},
-               {"signed_volume", s.signed_volume},
-               {"mean_edge_length", s.mean_edge_length},
-               {"box_min", point(s.box_min)},
-               {"box_max", point(s.box_max)},
-               {"prepared", Json::array()}};
+  Json json;
+#define BURNISH_FIELD(name) json[#name] = scan.name;
+  BURNISH_SCAN_FIELDS(BURNISH_FIELD)
+#undef BURNISH_FIELD
+  json["format"] = mesh_format_name(scan.format);
+#define BURNISH_FIELD(name) json[#name] = s.name;
+  BURNISH_STATISTICS_NUMBERS(BURNISH_FIELD)
+#undef BURNISH_FIELD
+  json["box_min"] = point(s.box_min);
+  json["box_max"] = point(s.box_max);
+  json["prepared"] = Json::array();
   for (const PreparedInfo& prepared : scan.prepared) {
     Json entry = key_to_json(prepared.key);
     entry["size_bytes"] = prepared.size_bytes;

@@ -32,6 +32,14 @@ struct Deviation {
   bool is_zero() const { return max == 0; }
 };
 
+/// The numbers of Deviation in the order of records, by their names in JSON and in messages.
+// clang-format off
+#define BURNISH_DEVIATION_NUMBERS(FIELD) \
+  FIELD(max) FIELD(mean) FIELD(rms) FIELD(outward_max) FIELD(inward_max) \
+  FIELD(mean_along_normal) \
+  FIELD(area_before) FIELD(area_after) FIELD(volume_before) FIELD(volume_after)
+// clang-format on
+
 /// Needs: as many vertices before as after; triangles that index them. Vertices without a triangle
 /// do not count. Cost: linear; scratch of 57 bytes a vertex.
 Deviation deviation_of(std::span<const Vec3d> before, std::span<const Vec3d> after,

@@ -40,6 +40,13 @@ struct ScanInfo {
   std::string unit;                    ///< of the coordinates: "mm"; empty: nobody named it
 };
 
+/// The plain fields of ScanInfo in the order of records, by their names in JSON and in messages.
+// clang-format off
+#define BURNISH_SCAN_FIELDS(FIELD) \
+  FIELD(id) FIELD(name) FIELD(size_bytes) FIELD(imported_unix_seconds) FIELD(default_depth) \
+  FIELD(has_colours) FIELD(unit)
+// clang-format on
+
 /// Describes a prepared mesh to clients.
 struct PreparedDescription {
   PreparedKey key;

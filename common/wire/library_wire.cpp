@@ -36,16 +36,9 @@ Result<ImportHeader> from_wire(const v1::ImportHeader& message) {
 
 static v1::ScanStatistics to_wire(const MeshStatistics& statistics) {
   v1::ScanStatistics message;
-  message.set_vertices(statistics.vertices);
-  message.set_triangles(statistics.triangles);
-  message.set_boundary_edges(statistics.boundary_edges);
-  message.set_non_manifold_edges(statistics.non_manifold_edges);
-  message.set_components(statistics.components);
-  message.set_zero_area_triangles(statistics.zero_area_triangles);
-  message.set_unreferenced_vertices(statistics.unreferenced_vertices);
-  message.set_area(statistics.area);
-  message.set_signed_volume(statistics.signed_volume);
-  message.set_mean_edge_length(statistics.mean_edge_length);
+#define BURNISH_FIELD(name) message.set_##name(statistics.name);
+  BURNISH_STATISTICS_NUMBERS(BURNISH_FIELD)
+#undef BURNISH_FIELD
   *message.mutable_box_min() = to_wire(statistics.box_min);
   *message.mutable_box_max() = to_wire(statistics.box_max);
   return message;
@@ -53,16 +46,9 @@ static v1::ScanStatistics to_wire(const MeshStatistics& statistics) {
 
 static MeshStatistics from_wire(const v1::ScanStatistics& message) {
   MeshStatistics statistics;
-  statistics.vertices = message.vertices();
-  statistics.triangles = message.triangles();
-  statistics.boundary_edges = message.boundary_edges();
-  statistics.non_manifold_edges = message.non_manifold_edges();
-  statistics.components = message.components();
-  statistics.zero_area_triangles = message.zero_area_triangles();
-  statistics.unreferenced_vertices = message.unreferenced_vertices();
-  statistics.area = message.area();
-  statistics.signed_volume = message.signed_volume();
-  statistics.mean_edge_length = message.mean_edge_length();
+#define BURNISH_FIELD(name) statistics.name = message.name();
+  BURNISH_STATISTICS_NUMBERS(BURNISH_FIELD)
+#undef BURNISH_FIELD
   statistics.box_min = from_wire(message.box_min());
   statistics.box_max = from_wire(message.box_max());
   return statistics;
@@ -70,14 +56,10 @@ static MeshStatistics from_wire(const v1::ScanStatistics& message) {
 
 v1::ScanInfo to_wire(const ScanInfo& scan) {
   v1::ScanInfo message;
-  message.set_id(scan.id);
-  message.set_name(scan.name);
+#define BURNISH_FIELD(name) message.set_##name(scan.name);
+  BURNISH_SCAN_FIELDS(BURNISH_FIELD)
+#undef BURNISH_FIELD
   message.set_format(to_wire(scan.format));
-  message.set_size_bytes(scan.size_bytes);
-  message.set_imported_unix_seconds(scan.imported_unix_seconds);
-  message.set_default_depth(scan.default_depth);
-  message.set_has_colours(scan.has_colours);
-  message.set_unit(scan.unit);
   *message.mutable_statistics() = to_wire(scan.statistics);
   for (const PreparedInfo& prepared : scan.prepared) {
     v1::PreparedInfo* entry = message.add_prepared();
@@ -92,14 +74,10 @@ Result<ScanInfo> from_wire(const v1::ScanInfo& message) {
   ScanInfo scan;
   if (!is_content_hash(message.id()))
     return invalid_argument("scan id '" + message.id() + "' is not a SHA-256");
-  scan.id = message.id();
-  scan.name = message.name();
+#define BURNISH_FIELD(name) scan.name = message.name();
+  BURNISH_SCAN_FIELDS(BURNISH_FIELD)
+#undef BURNISH_FIELD
   ASSIGN_OR_RETURN(scan.format, from_wire(message.format()));
-  scan.size_bytes = message.size_bytes();
-  scan.imported_unix_seconds = message.imported_unix_seconds();
-  scan.default_depth = message.default_depth();
-  scan.has_colours = message.has_colours();
-  scan.unit = message.unit();
   scan.statistics = from_wire(message.statistics());
   for (const v1::PreparedInfo& entry : message.prepared()) {
     ASSIGN_OR_RETURN(const PreparedKey key,

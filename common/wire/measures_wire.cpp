@@ -9,17 +9,10 @@ namespace burnish {
 v1::Deviation to_wire(const SessionDeviation& measured) {
   const Deviation& deviation = measured.deviation;
   v1::Deviation message;
-  message.set_max(deviation.max);
+#define BURNISH_FIELD(name) message.set_##name(deviation.name);
+  BURNISH_DEVIATION_NUMBERS(BURNISH_FIELD)
+#undef BURNISH_FIELD
   *message.mutable_farthest() = to_wire(deviation.farthest);
-  message.set_mean(deviation.mean);
-  message.set_rms(deviation.rms);
-  message.set_outward_max(deviation.outward_max);
-  message.set_inward_max(deviation.inward_max);
-  message.set_mean_along_normal(deviation.mean_along_normal);
-  message.set_area_before(deviation.area_before);
-  message.set_area_after(deviation.area_after);
-  message.set_volume_before(deviation.volume_before);
-  message.set_volume_after(deviation.volume_after);
   message.set_histogram_range(deviation.histogram_range);
   message.mutable_histogram()->Assign(deviation.histogram.begin(), deviation.histogram.end());
   message.set_settled(measured.settled);
@@ -32,17 +25,10 @@ Result<SessionDeviation> from_wire(const v1::Deviation& message) {
                      " bins, expected " + std::to_string(Deviation::kBins));
   SessionDeviation measured;
   Deviation& deviation = measured.deviation;
-  deviation.max = message.max();
+#define BURNISH_FIELD(name) deviation.name = message.name();
+  BURNISH_DEVIATION_NUMBERS(BURNISH_FIELD)
+#undef BURNISH_FIELD
   deviation.farthest = from_wire(message.farthest());
-  deviation.mean = message.mean();
-  deviation.rms = message.rms();
-  deviation.outward_max = message.outward_max();
-  deviation.inward_max = message.inward_max();
-  deviation.mean_along_normal = message.mean_along_normal();
-  deviation.area_before = message.area_before();
-  deviation.area_after = message.area_after();
-  deviation.volume_before = message.volume_before();
-  deviation.volume_after = message.volume_after();
   deviation.histogram_range = message.histogram_range();
   std::ranges::copy(message.histogram(), deviation.histogram.begin());
   measured.settled = message.settled();

@@ -23,61 +23,40 @@ static Vec3d point_from_json(const json& p) {
 }
 
 static json statistics_to_json(const MeshStatistics& s) {
-  return {{"vertices", s.vertices},
-          {"triangles", s.triangles},
-          {"boundary_edges", s.boundary_edges},
-          {"non_manifold_edges", s.non_manifold_edges},
-          {"components", s.components},
-          {"zero_area_triangles", s.zero_area_triangles},
-          {"unreferenced_vertices", s.unreferenced_vertices},
-          {"area", s.area},
-          {"signed_volume", s.signed_volume},
-          {"mean_edge_length", s.mean_edge_length},
-          {"box_min", point_to_json(s.box_min)},
-          {"box_max", point_to_json(s.box_max)}};
+  json j = {{"box_min", point_to_json(s.box_min)}, {"box_max", point_to_json(s.box_max)}};
+#define BURNISH_FIELD(name) j[#name] = s.name;
+  BURNISH_STATISTICS_NUMBERS(BURNISH_FIELD)
+#undef BURNISH_FIELD
+  return j;
 }
 
 static MeshStatistics statistics_from_json(const json& j) {
   MeshStatistics s;
-  j.at("vertices").get_to(s.vertices);
-  j.at("triangles").get_to(s.triangles);
-  j.at("boundary_edges").get_to(s.boundary_edges);
-  j.at("non_manifold_edges").get_to(s.non_manifold_edges);
-  j.at("components").get_to(s.components);
-  j.at("zero_area_triangles").get_to(s.zero_area_triangles);
-  j.at("unreferenced_vertices").get_to(s.unreferenced_vertices);
-  j.at("area").get_to(s.area);
-  j.at("signed_volume").get_to(s.signed_volume);
-  j.at("mean_edge_length").get_to(s.mean_edge_length);
+#define BURNISH_FIELD(name) j.at(#name).get_to(s.name);
+  BURNISH_STATISTICS_NUMBERS(BURNISH_FIELD)
+#undef BURNISH_FIELD
   s.box_min = point_from_json(j.at("box_min"));
   s.box_max = point_from_json(j.at("box_max"));
   return s;
 }
 
 std::string scan_to_json(const ScanInfo& scan) {
-  const json j = {{"id", scan.id},
-                  {"name", scan.name},
-                  {"format", mesh_format_name(scan.format)},
-                  {"size_bytes", scan.size_bytes},
-                  {"imported_unix_seconds", scan.imported_unix_seconds},
-                  {"default_depth", scan.default_depth},
-                  {"has_colours", scan.has_colours},
-                  {"unit", scan.unit},
-                  {"statistics", statistics_to_json(scan.statistics)}};
+  json j = {{"format", mesh_format_name(scan.format)},
+            {"statistics", statistics_to_json(scan.statistics)}};
+#define BURNISH_FIELD(name) j[#name] = scan.name;
+  BURNISH_SCAN_FIELDS(BURNISH_FIELD)
+#undef BURNISH_FIELD
   return j.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 Result<ScanInfo> scan_from_json(const std::string& text) try {
-  const json j = json::parse(text);
+  json j = json::parse(text);
+  j.emplace("unit", "");  // scans of earlier versions have none
   ScanInfo scan;
-  j.at("id").get_to(scan.id);
-  j.at("name").get_to(scan.name);
+#define BURNISH_FIELD(name) j.at(#name).get_to(scan.name);
+  BURNISH_SCAN_FIELDS(BURNISH_FIELD)
+#undef BURNISH_FIELD
   ASSIGN_OR_RETURN(scan.format, mesh_format_of_name(j.at("format").get<std::string>()));
-  j.at("size_bytes").get_to(scan.size_bytes);
-  j.at("imported_unix_seconds").get_to(scan.imported_unix_seconds);
-  j.at("default_depth").get_to(scan.default_depth);
-  j.at("has_colours").get_to(scan.has_colours);
-  scan.unit = j.value("unit", "");  // scans of earlier versions have none
   scan.statistics = statistics_from_json(j.at("statistics"));
   return scan;
 } catch (const json::exception& error) {
