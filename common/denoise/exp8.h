@@ -6,11 +6,9 @@
 #include <cstring>
 
 #include "common/base/dispatch.h"
+#include "common/denoise/filter_constants.h"
 
 namespace burnish {
-
-/// Weights fall no further, so that products of a few stay clear of the slow numbers near 0.
-inline constexpr float kExponentMin = -40;
 
 /// Replaces x by e^x for x of -40 to 0, and by e^-40 below, within 3e-7 of the value. The same bits
 /// on every machine, other than libm's.

@@ -2,20 +2,12 @@
 
 #include <utility>
 
+#include "common/denoise/filter_constants.h"
 #include "common/denoise/heard_blocks.h"
 #include "common/denoise/ring_nearness.h"
 #include "common/denoise/ring_sums.h"
 
 namespace burnish {
-
-// A share of the mean distance of centres. A guided triangle does not stray over edges, so it looks
-// further.
-static constexpr double kBilateralReach = 1, kGuidedReach = 2;
-static constexpr float kGuideSharpness = 5;  // 1/τ of unevenness; below 2 edges melt
-
-static float steepness_of(double sigma) {
-  return static_cast<float>(1 / (sigma * sigma));
-}
 
 NormalFilter::NormalFilter(const WeldedSurface& surface, const TriangleRings& rings,
                            NormalFilterKind kind, double sigma, const ScratchSpace& space,
@@ -29,8 +21,7 @@ NormalFilter::NormalFilter(const WeldedSurface& surface, const TriangleRings& ri
       next_(space, rings.size()),
       guides_(space, is_guided_ ? rings.size() : 0),
       measured_(space, guides_.size()),
-      nearness_(ring_nearness(surface, rings, {now_.data(), now_.size()},
-                              is_guided_ ? kGuidedReach : kBilateralReach, space,
+      nearness_(ring_nearness(surface, rings, {now_.data(), now_.size()}, reach_of(kind), space,
                               part.of(0.2, 1))) {}
 
 void NormalFilter::restart(double sigma, const LoopPart& part) {

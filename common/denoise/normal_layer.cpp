@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/denoise/filter_constants.h"
 #include "common/denoise/heard_blocks.h"
 #include "common/denoise/layer_steps.h"
 #include "common/denoise/mean_side.h"
 
 namespace burnish {
 namespace {
-
-constexpr float kAreaMin = 1e-30f;  // of the mean one: a place of less stays
-constexpr int kGuardRounds = 4;     // corners that stay may turn other triangles
 
 /// The arrays of a LayerField.
 class Layer {
@@ -58,7 +56,7 @@ class Layer {
       offsets_[i++] = height * std::sqrt(normals[t][3]);
       area += normals[t][3];
     }
-    moves_[v] = Float4{0, 0, 0, area > kAreaMin ? 1 / area : 0};
+    moves_[v] = Float4{0, 0, 0, area > kPlaceAreaMin ? 1 / area : 0};
   }
 
   const WeldedSurface& surface_;

@@ -5,6 +5,7 @@
 
 #include "common/base/dispatch.h"
 #include "common/denoise/exp8.h"
+#include "common/denoise/filter_constants.h"
 #include "common/denoise/triangle_rings.h"
 
 namespace burnish {
@@ -12,8 +13,6 @@ namespace {
 
 constexpr size_t kPairsAtOnce = 1024;  // their weights stay in the fastest cache
 static_assert(kRingTrianglesMax <= kPairsAtOnce);
-
-constexpr float kNoDirection = 1e-30f;  // of a squared length
 
 }  // namespace
 

@@ -7,6 +7,11 @@
 
 namespace burnish {
 
+/// Returns what sum_rings() takes for σ.
+inline float steepness_of(double sigma) {
+  return static_cast<float>(1 / (sigma * sigma));
+}
+
 /// Rings and what is known of each triangle, as the hot loops take them. Pointers are not null and
 /// stay the caller's.
 struct RingField {

@@ -28,6 +28,7 @@ class WeldedSurface {
 
   /// Returns the place of a vertex: the least vertex at the same place.
   uint32_t place(size_t vertex) const { return place_[vertex]; }
+  std::span<const uint32_t> places() const { return {place_.data(), place_.size()}; }
   /// Returns the places of a triangle's corners.
   const Triangle& triangle(size_t t) const { return triangles_[t]; }
   std::span<const Triangle> triangles() const { return triangles_; }
