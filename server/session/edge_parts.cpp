@@ -1,7 +1,10 @@
 #include "server/session/edge_parts.h"
 
+#include <utility>
+
 #include "common/base/out_of_memory.h"
 #include "server/fields/target_fit.h"
+#include "server/solver/surface_filters.h"
 
 namespace burnish {
 namespace {
@@ -18,37 +21,32 @@ constexpr uint64_t kStrengthBytes = sizeof(float);
 constexpr uint64_t kShownBytesPerTriangle = sizeof(uint8_t);  // whether it has turned
 constexpr uint64_t kShownBytesPerVertex = sizeof(Vec3d) + sizeof(Vec3f) + 6 * sizeof(uint32_t);
 
-Result<std::shared_ptr<const FilteredSurface>> filter_surface(const DenoiseSurface& surface,
-                                                              const EdgeFilter& filter,
-                                                              const Progress& progress) {
-  auto filtered = std::make_shared<FilteredSurface>();
-  const auto keep_last = [&](int pass, std::span<const NormalAndArea> normals) {
-    if (pass < filter.passes) return;
-    filtered->normals.resize(normals.size());
-    for (size_t t = 0; t < normals.size(); ++t)
-      filtered->normals[t] = normal_of(normals[t]).cast<float>();
-  };
-  ASSIGN_OR_RETURN(filtered->layer, denoise_layer(surface, filter, {}, progress, keep_last));
-  return std::shared_ptr<const FilteredSurface>(std::move(filtered));
+Result<std::shared_ptr<const DenoiseSurface>> surface_of(const PreparedMesh& prepared,
+                                                         const Progress& progress) {
+  MeshView mesh;
+  mesh.vertices = prepared.vertices;
+  mesh.triangles = prepared.triangles;
+  return make_denoise_surface(mesh, {}, progress);
 }
 
 Result<std::shared_ptr<const EdgeParts>> make_parts(const PreparedMesh& prepared,
-                                                    const EdgeFilter& filter,
+                                                    BackendKind backend, const EdgeFilter& filter,
                                                     const EdgeParts* before,
                                                     const Progress& progress) {
   auto parts = std::make_shared<EdgeParts>();
   parts->filter = filter;
-  if (before) parts->surface = before->surface;
-  if (!parts->surface) {
-    MeshView mesh;
-    mesh.vertices = prepared.vertices;
-    mesh.triangles = prepared.triangles;
-    ASSIGN_OR_RETURN(parts->surface, make_denoise_surface(mesh, {}, progress));
+  if (before) {
+    parts->surface = before->surface;
+    parts->on = before->on;
+  } else {
+    ASSIGN_OR_RETURN(parts->surface, surface_of(prepared, progress));
+    ASSIGN_OR_RETURN(parts->on, make_surface_filter(backend, parts->surface));
   }
   if (before && has_same_normals(filter, before->filter)) {
     parts->filtered = before->filtered;
   } else {
-    ASSIGN_OR_RETURN(parts->filtered, filter_surface(*parts->surface, filter, progress));
+    ASSIGN_OR_RETURN(FilteredSurface filtered, parts->on->filter(filter, progress));
+    parts->filtered = std::make_shared<const FilteredSurface>(std::move(filtered));
   }
   const SurfaceTarget target = {parts->filtered->normals, parts->filtered->layer, filter.crispness};
   ASSIGN_OR_RETURN(parts->target, fit_target(prepared, target, progress));
@@ -62,14 +60,15 @@ bool has_same_normals(const EdgeFilter& a, const EdgeFilter& b) {
 }
 
 Result<std::shared_ptr<const EdgeParts>> make_edge_parts(
-    const PreparedMesh& prepared, const EdgeFilter& filter,
+    const PreparedMesh& prepared, BackendKind backend, const EdgeFilter& filter,
     const std::shared_ptr<const EdgeParts>& before, const Progress& progress) {
-  return with_memory_for("keeping edges",
-                         [&] { return make_parts(prepared, filter, before.get(), progress); });
+  return with_memory_for("keeping edges", [&] {
+    return make_parts(prepared, backend, filter, before.get(), progress);
+  });
 }
 
 uint64_t EdgeParts::byte_count() const {
-  return kSurfaceBytesPerTriangle * surface->welded.triangle_count() +
+  return kSurfaceBytesPerTriangle * surface->welded.triangle_count() + on->byte_count() +
          (filtered->normals.size() + filtered->layer.size()) * sizeof(Vec3f) +
          target.size() * sizeof(TargetGradient);
 }

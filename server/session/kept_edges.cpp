@@ -8,8 +8,11 @@
 namespace burnish {
 
 KeptEdges::KeptEdges(std::shared_ptr<const PreparedMesh> prepared, const SparseGrid& grid,
-                     int threads)
-    : prepared_(std::move(prepared)), threads_(threads), strength_(*prepared_, grid) {}
+                     BackendKind backend, int threads)
+    : prepared_(std::move(prepared)),
+      backend_(backend),
+      threads_(threads),
+      strength_(*prepared_, grid) {}
 
 KeptEdges::~KeptEdges() {
   leave_work();
@@ -25,7 +28,7 @@ Status KeptEdges::want(const Fields& fields, const Progress& progress) {
   if (fields.keeps_edges() && is_missing(filter)) {
     RETURN_IF_ERROR(wait_for_work(filter, progress));
     if (is_missing(filter)) {
-      ASSIGN_OR_RETURN(parts_, make_edge_parts(*prepared_, filter, parts_, progress));
+      ASSIGN_OR_RETURN(parts_, make_edge_parts(*prepared_, backend_, filter, parts_, progress));
       ++version_;
     }
   }
@@ -75,9 +78,10 @@ void KeptEdges::begin(const EdgeFilter& filter) {
   if (work_ && has_same_normals(work_->filter, filter)) return;
   leave_work();
   const auto is_left = std::make_shared<std::atomic<bool>>(false);
-  const auto make = [prepared = prepared_, before = parts_, threads = threads_, filter, is_left] {
+  const auto make = [prepared = prepared_, backend = backend_, before = parts_, threads = threads_,
+                     filter, is_left] {
     use_threads(threads);
-    return make_edge_parts(*prepared, filter, before,
+    return make_edge_parts(*prepared, backend, filter, before,
                            [&](std::string_view, double) { return !*is_left; });
   };
   work_.emplace(Work{filter, is_left, std::async(std::launch::async, make)});

@@ -15,6 +15,7 @@
 #include "server/fields/fields.h"
 #include "server/session/edge_parts.h"
 #include "server/session/edge_strength.h"
+#include "server/solver/solver.h"
 
 namespace burnish {
 
@@ -22,20 +23,23 @@ namespace burnish {
 /// and the gradients that the solver should reach. Costs nothing before edges are first kept.
 class KeptEdges {
  public:
-  /// `threads`: of a filter, 0: all cores. Needs: `grid` outlives this.
-  KeptEdges(std::shared_ptr<const PreparedMesh> prepared, const SparseGrid& grid, int threads);
+  /// `backend`: where filters run, as SolverOptions has it. `threads`: of a filter, 0: all cores.
+  /// Needs: `grid` outlives this.
+  KeptEdges(std::shared_ptr<const PreparedMesh> prepared, const SparseGrid& grid,
+            BackendKind backend, int threads);
   /// Ends the other thread's work.
   ~KeptEdges();
 
   /// Makes what is missing for the fields' filter, for its paint and for what is held. A filter of
   /// another kind, angle or number of passes filters the normals anew; another crispness fits
-  /// gradients; another strength costs nothing. Fails: cancelled, resource_exhausted; then all
-  /// stays as it was.
+  /// gradients; another strength costs nothing. Fails: as make_edge_parts()
+  /// does; then all stays as it was.
   Status want(const Fields& fields, const Progress& progress = {});
 
   /// Takes the fields as far as their filter is made, and lets another thread make the rest; until
   /// then the last filter counts. `edited`: the fields without previews. A preview makes no
-  /// normals. Fails: resource_exhausted, once, if the other thread had no memory.
+  /// normals. Fails: once, as the other thread failed: resource_exhausted,
+  /// internal_error.
   Status show(const Fields& fields, const Fields& edited);
 
   /// Returns whether another thread makes something. The next show() after its end takes that.
@@ -83,6 +87,7 @@ class KeptEdges {
   bool stop_turned(std::span<const Vec3d> positions, std::vector<float>& shares) const;
 
   const std::shared_ptr<const PreparedMesh> prepared_;
+  const BackendKind backend_;
   const int threads_;
   bool is_wanted_ = false;
   EdgeStrength strength_;

@@ -27,7 +27,7 @@ struct Session::State {
         solver(std::move(session_solver)),
         bands(on, options),
         colour(on, options),
-        edges(prepared, hierarchy->at(hierarchy->finest).grid, options.threads),
+        edges(prepared, hierarchy->at(hierarchy->finest).grid, options.backend, options.threads),
         mix(hierarchy->at(hierarchy->finest).grid),
         shown(*prepared, hierarchy->at(hierarchy->finest).grid) {}
 

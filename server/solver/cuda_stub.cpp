@@ -1,6 +1,7 @@
 // Takes the place of server/solver/cuda in a build without CUDA.
 
 #include "server/solver/cuda/cuda_backend.h"
+#include "server/solver/cuda/cuda_filter.h"
 
 namespace burnish {
 
@@ -39,6 +40,10 @@ Result<std::unique_ptr<Backend>> make_cuda_backend(Multigrid, Smoother) {
 }
 
 Result<CudaShards> make_cuda_shards(const CudaShardGroup&, std::span<CudaShard>) {
+  return not_in_this_build();
+}
+
+Result<std::unique_ptr<SurfaceFilter>> make_cuda_filter(std::shared_ptr<const DenoiseSurface>) {
   return not_in_this_build();
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "server/solver/cuda/cuda_filter.h"
 #include "server/solver/multi/cut.h"
 
 namespace burnish {
@@ -15,7 +16,8 @@ static constexpr uint64_t kPartForItself = 10;  // of a device, in a hundred
 
 uint64_t predict_device_bytes(const Multigrid& on) {
   return kBytesPerCorner * on.hierarchy->depths.back().grid.corners.size() +
-         on.plan->patches.entry_count() * sizeof(float);
+         on.plan->patches.entry_count() * sizeof(float) +
+         predict_cuda_filter_bytes(on.prepared->triangles.size(), on.prepared->vertices.size());
 }
 
 int shards_that_fit(uint64_t bytes, uint64_t device_bytes) {
