@@ -3,6 +3,8 @@
 // seconds. denoise_bench [--out FOLDER] [MESH]... Mesh files are tried as odd scans.
 // denoise_bench --shapes FOLDER writes the shapes, with and without noise, and our results.
 // denoise_bench --measure CLEAN MESH... prints the errors of other results.
+// denoise_bench --live [SCAN:VERTICES]... times filters of processors and, where there is one, of a
+// device.
 
 #include <algorithm>
 #include <cstdio>
@@ -21,6 +23,7 @@
 #include "common/generate/generate.h"
 #include "common/mesh/mesh_io.h"
 #include "tests/bench/denoise_filter.h"
+#include "tests/bench/denoise_live.h"
 #include "tests/bench/denoise_shapes.h"
 #include "tests/bench/report.h"
 #include "tests/bench/timing.h"
@@ -31,7 +34,7 @@ namespace {
 
 struct Arguments {
   std::string out, shapes;
-  bool measures = false;
+  bool measures = false, live = false;
   std::vector<std::string> meshes;
 };
 
@@ -196,12 +199,9 @@ Status report_all(const Arguments& arguments, BenchReport& report) {
     RETURN_IF_ERROR(report_odd(std::filesystem::path(path).stem(), mesh, odd));
   }
   report.remark(std::to_string(thread_count()) + " threads");
-  RETURN_IF_ERROR(report_times(report.add_table(
+  return report_times(report.add_table(
       "seconds per million triangles",
-      {{"filter", "", 10}, {"step", "", 26}, {"cpu_seconds", "%.3f"}, {"seconds", "%.3f"}})));
-  if (arguments.out.empty()) return Status::ok();
-  std::filesystem::create_directories(arguments.out);
-  return report.write(arguments.out);
+      {{"filter", "", 10}, {"step", "", 26}, {"cpu_seconds", "%.3f"}, {"seconds", "%.3f"}}));
 }
 
 Status write_shapes(const std::string& folder) {
@@ -216,7 +216,11 @@ Status run(const Arguments& arguments) {
   if (arguments.measures) return print_errors(arguments.meshes);
   if (!arguments.shapes.empty()) return write_shapes(arguments.shapes);
   BenchReport report("denoise_bench");
-  return report_all(arguments, report);
+  RETURN_IF_ERROR(arguments.live ? report_live(arguments.meshes, report)
+                                 : report_all(arguments, report));
+  if (arguments.out.empty()) return Status::ok();
+  std::filesystem::create_directories(arguments.out);
+  return report.write(arguments.out);
 }
 
 Arguments parsed(int count, char** words) {
@@ -228,6 +232,8 @@ Arguments parsed(int count, char** words) {
       arguments.shapes = words[++i];
     else if (words[i] == std::string_view("--measure"))
       arguments.measures = true;
+    else if (words[i] == std::string_view("--live"))
+      arguments.live = true;
     else
       arguments.meshes.emplace_back(words[i]);
   }
