@@ -1,13 +1,14 @@
 #include "common/base/scratch_space.h"
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <unistd.h>
 #include <utility>
 
 #include <sys/mman.h>
+
+#include "common/base/scratch_file.h"
 
 namespace burnish {
 
@@ -16,10 +17,7 @@ namespace {
 /// An open file that nobody else can see. It lives as long as somebody has it open or mapped.
 class NamelessFile {
  public:
-  explicit NamelessFile(const std::filesystem::path& folder)
-      : file_(::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600)) {
-    if (file_ < 0 && (errno == EOPNOTSUPP || errno == EISDIR)) file_ = open_and_unlink(folder);
-  }
+  explicit NamelessFile(const std::filesystem::path& folder) : file_(open_nameless(folder)) {}
   ~NamelessFile() {
     if (file_ >= 0) ::close(file_);
   }
@@ -36,14 +34,6 @@ class NamelessFile {
   }
 
  private:
-  // Some file systems know no files without a name.
-  static int open_and_unlink(const std::filesystem::path& folder) {
-    std::string name = (folder / ".scratch-XXXXXX").string();
-    const int file = mkostemp(name.data(), O_CLOEXEC);
-    if (file >= 0) ::unlink(name.c_str());
-    return file;
-  }
-
   int file_;
 };
 
