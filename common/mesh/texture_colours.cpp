@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "common/mesh/shown_picture.h"
 #include "common/mesh/srgb.h"
 #include "common/mesh/texture_sweep.h"
 #include "common/picture/picture_rows.h"
@@ -15,10 +16,6 @@ namespace burnish {
 namespace {
 
 constexpr Rgba8 kWhite = {255, 255, 255, 255};
-
-bool is_texture_coordinate(double x) {
-  return std::abs(x) <= kTextureCoordinateMax;  // false for NaN
-}
 
 /// Sums the colours of a mesh's vertices, weighted by area.
 class TexturePainter {
@@ -35,7 +32,7 @@ class TexturePainter {
     RETURN_IF_ERROR(find_least_area());
     first_of_.assign(textures_.pictures.size() + 1, 0);
     RETURN_IF_ERROR(for_each_triangle_heard([&](uint32_t t) {
-      const uint32_t picture = picture_of(t);
+      const uint32_t picture = shown_picture(textures_, t);
       if (picture == kNoTexture) return paint_plain(t);
       ++first_of_[picture + 1];
     }));
@@ -43,7 +40,7 @@ class TexturePainter {
     by_picture_.resize(first_of_.back());
     std::vector<uint32_t> next(first_of_.begin(), first_of_.end() - 1);
     return for_each_triangle_heard([&](uint32_t t) {
-      const uint32_t picture = picture_of(t);
+      const uint32_t picture = shown_picture(textures_, t);
       if (picture != kNoTexture) by_picture_[next[picture]++] = t;
     });
   }
@@ -106,25 +103,6 @@ class TexturePainter {
     RETURN_IF_ERROR(for_each_triangle_heard([&](uint32_t t) { sum += area_of(t); }));
     least_area_ = kLeastPart * sum / static_cast<double>(mesh_.triangles.size());
     return Status::ok();
-  }
-
-  bool has_coordinate(const SurfaceMaterial& material, uint32_t corner) const {
-    if (corner >= textures_.coordinates.size()) return false;
-    const auto& [u, v] = textures_.coordinates[corner];
-    const Eigen::Vector2d place = material.to_picture * Eigen::Vector2d(u, v);
-    return is_texture_coordinate(u) && is_texture_coordinate(v) &&
-           is_texture_coordinate(place.x()) && is_texture_coordinate(place.y());
-  }
-
-  /// Returns the picture that a triangle shows, or kNoTexture.
-  uint32_t picture_of(uint32_t triangle) const {
-    const TexturedTriangle& textured = textures_.triangles[triangle];
-    if (textured.material == kNoTexture) return kNoTexture;
-    const SurfaceMaterial& material = textures_.materials[textured.material];
-    if (material.picture == kNoTexture) return kNoTexture;
-    const bool is_placed = std::ranges::all_of(
-        textured.corners, [&](uint32_t corner) { return has_coordinate(material, corner); });
-    return is_placed ? material.picture : kNoTexture;
   }
 
   std::span<const uint32_t> triangles_of(uint32_t picture) const {
@@ -202,13 +180,6 @@ class TexturePainter {
   bool has_begun_ = false;
 };
 
-/// Returns whether a scan without this picture is still a scan.
-bool can_be_left_out(const Status& status, bool refuses_damage) {
-  if (status.code() == StatusCode::kUnimplemented) return true;
-  return !refuses_damage && status.code() != StatusCode::kCancelled &&
-         status.code() != StatusCode::kResourceExhausted;
-}
-
 Result<std::vector<Rgba8>> texture_colours(const TriangleMesh& mesh,
                                            const SurfaceTextures& textures,
                                            const PictureBudget& budget, const std::string& name) {
@@ -217,7 +188,7 @@ Result<std::vector<Rgba8>> texture_colours(const TriangleMesh& mesh,
   for (uint32_t picture = 0; picture < textures.pictures.size(); ++picture) {
     const Status painted = painter.paint(picture, name);
     if (painted.is_ok()) continue;
-    if (!can_be_left_out(painted, textures.refuses_damage)) return painted;
+    if (!can_be_left_out(painted, textures)) return painted;
     painter.paint_rest(picture);
   }
   return painter.colours();
