@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/base/groups.h"
 #include "common/sheets/chart_baker.h"
+#include "common/sheets/triangle_boxes.h"
 
 namespace burnish {
 
@@ -16,19 +18,59 @@ std::array<Vec3d, 3> page_corners(const Page& page, size_t triangle) {
   return corners;
 }
 
-TexelGrid bake_chart(const Page& page, const PageCharts& charts, size_t chart,
-                     const TexelSize& size, const BakeWish& wish, const BakeSource& source) {
-  ChartBaker baker(chart_mapping(charts.charts[chart], wish.texels_per_step, {}), size,
-                   wish.samples_per_side);
-  for (size_t t = 0; t < page.triangles.size(); ++t)
-    if (charts.of_triangle[t] == chart) baker.add_target(page_corners(page, t));
-  baker.dilate();
-  for (size_t t = 0; t < source.triangles.size(); ++t)
-    baker.add_source(static_cast<uint32_t>(t), source.triangles[t]);
-  TexelGrid grid = baker.resolve(source);
-  push_pull(grid);
-  return grid;
+/// The page's triangles by their charts.
+Groups<uint16_t> triangles_by_chart(const PageCharts& charts) {
+  return group_by<uint16_t>(charts.charts.size(), [&](const auto& add) {
+    for (size_t t = 0; t < charts.of_triangle.size(); ++t)
+      add(charts.of_triangle[t], static_cast<uint16_t>(t));
+  });
 }
+
+/// Bakes the charts of one sheet.
+class SheetBaker {
+ public:
+  SheetBaker(const Page& page, const PageCharts& charts, const BakeWish& wish,
+             const BakeSource& source)
+      : page_(page),
+        charts_(charts),
+        wish_(wish),
+        source_(source),
+        triangles_(triangles_by_chart(charts)),
+        boxes_(source.triangles) {}
+
+  TexelGrid bake(size_t chart, const TexelSize& size) const {
+    ChartBaker baker(chart_mapping(charts_.charts[chart], wish_.texels_per_step, {}), size,
+                     wish_.samples_per_side);
+    Box3d box;
+    for (const uint16_t t : triangles_[chart]) {
+      const std::array<Vec3d, 3> corners = page_corners(page_, t);
+      baker.add_target(corners);
+      for (const Vec3d& corner : corners) box.extend(corner);
+    }
+    baker.dilate();
+    for (const uint32_t t : boxes_.near(widened(box))) baker.add_source(t, source_.triangles[t]);
+    TexelGrid grid = baker.resolve(source_);
+    push_pull(grid);
+    return grid;
+  }
+
+ private:
+  /// Adds what a source may lie beside the page: the gutter with its reach, and the difference of
+  /// two levels of a surface, which is a part of the chart's own size.
+  Box3d widened(const Box3d& box) const {
+    constexpr double kTexels = 16;
+    constexpr double kPartOfSize = 0.25;
+    const double border = kTexels / wish_.texels_per_step + kPartOfSize * box.sizes().norm();
+    return {box.min() - Vec3d::Constant(border), box.max() + Vec3d::Constant(border)};
+  }
+
+  const Page& page_;
+  const PageCharts& charts_;
+  const BakeWish& wish_;
+  const BakeSource& source_;
+  const Groups<uint16_t> triangles_;  // of the page, by chart
+  const TriangleBoxes boxes_;         // of the source
+};
 
 void paste(const TexelGrid& chart, const TexelPlace& place, TexelGrid& sheet) {
   for (int y = 0; y < chart.height; ++y)
@@ -54,8 +96,9 @@ std::vector<Rgba8> bake_sheet(const Page& page, const PageCharts& charts, const 
                               const BakeSource& source) {
   const std::vector<TexelSize> sizes = chart_sizes(page, charts, wish.texels_per_step);
   TexelGrid sheet(wish.layout.width, wish.layout.height);
+  const SheetBaker baker(page, charts, wish, source);
   for (size_t c = 0; c < sizes.size(); ++c)
-    paste(bake_chart(page, charts, c, sizes[c], wish, source), wish.layout.places[c], sheet);
+    paste(baker.bake(c, sizes[c]), wish.layout.places[c], sheet);
   push_pull(sheet);
   return rounded_texels(sheet);
 }

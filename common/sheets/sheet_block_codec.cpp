@@ -20,19 +20,7 @@ constexpr size_t kPageColumns = 3;   // bytes of the charts, sheets, density
 constexpr size_t kSheetColumns = 2;  // bytes, sides
 constexpr uint32_t kSheetsPerBlockMax = kPagesPerBlock * uint32_t{kSheetsPerPageMax};
 
-struct RawSheetBlock {
-  std::array<char, 4> magic = kSheetBlockMagic;
-  uint8_t version = kSheetFormatVersion;
-  std::array<uint8_t, 3> zero8 = {};
-  uint32_t begin = 0;
-  uint32_t pages = 0;
-  uint32_t sheets = 0;
-  uint32_t zero32 = 0;
-  uint64_t checksum = 0;
-};
-static_assert(sizeof(RawSheetBlock) == kSheetBlockHeaderBytes);
-
-Status check_block_header(const RawSheetBlock& raw, const PageRange& pages) {
+Status check_block_header(const SheetBlockHeader& raw, const PageRange& pages) {
   if (raw.zero8 != std::array<uint8_t, 3>{} || raw.zero32 != 0)
     return data_loss("reserved bits are set");
   RETURN_IF_ERROR(check_sheet_value("as first page", raw.begin, pages.begin, pages.begin));
@@ -99,7 +87,7 @@ Status read_entries(std::span<const uint32_t> words, size_t sheets, SheetBlock& 
 
 Result<SheetBlock> decode_block_of(std::span<const uint8_t> bytes, const SheetHead& head,
                                    const PageHead& pages, uint32_t index) {
-  ASSIGN_OR_RETURN(const auto raw, read_sealed<RawSheetBlock>(bytes, bytes.size()));
+  ASSIGN_OR_RETURN(const auto raw, read_sealed<SheetBlockHeader>(bytes, bytes.size()));
   RETURN_IF_ERROR(check_block_header(raw, pages.pages_of(index)));
   const size_t count = kPageColumns * raw.pages + kSheetColumns * raw.sheets;
   ASSIGN_OR_RETURN(const auto unpacked,
@@ -129,9 +117,9 @@ std::vector<uint8_t> encode_sheet_block(const SheetBlock& block) {
       pack_words(kSheetWords, {reinterpret_cast<const uint8_t*>(words.data()), 4 * words.size()});
   std::vector<uint8_t> bytes(kSheetBlockHeaderBytes + section.size());
   std::ranges::copy(section, bytes.begin() + kSheetBlockHeaderBytes);
-  seal_record(RawSheetBlock{.begin = block.begin,
-                            .pages = static_cast<uint32_t>(pages),
-                            .sheets = static_cast<uint32_t>(block.sheets.item.size())},
+  seal_record(SheetBlockHeader{.begin = block.begin,
+                               .pages = static_cast<uint32_t>(pages),
+                               .sheets = static_cast<uint32_t>(block.sheets.item.size())},
               bytes);
   return bytes;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "common/base/groups.h"
 #include "common/base/status.h"
 #include "common/pages/directory.h"
+#include "common/sheets/sheet_format.h"
 
 namespace burnish {
 
@@ -33,6 +35,19 @@ struct SheetBlock {
   std::vector<ChartEntry> charts;
   Groups<SheetEntry> sheets;  ///< per page, the finest first
 };
+
+/// The header of an encoded block, as it lies there (sheet_format.h).
+struct SheetBlockHeader {
+  std::array<char, 4> magic = kSheetBlockMagic;
+  uint8_t version = kSheetFormatVersion;
+  std::array<uint8_t, 3> zero8 = {};
+  uint32_t begin = 0;
+  uint32_t pages = 0;
+  uint32_t sheets = 0;
+  uint32_t zero32 = 0;
+  uint64_t checksum = 0;
+};
+static_assert(sizeof(SheetBlockHeader) == kSheetBlockHeaderBytes);
 
 /// Where the parts of a block lie, as the head lists them.
 struct SheetBlockPlace {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "common/sheets/chart_codec.h"
+#include "common/sheets/sheet_checks.h"
 #include "common/sheets/sheet_codec.h"
 #include "common/sheets/sheet_format.h"
 
@@ -65,9 +66,8 @@ Result<uint64_t> SheetFile::find_head() const {
 
 Status SheetFile::read_head(const PageHead& pages) {
   ASSIGN_OR_RETURN(const uint64_t begin, find_head());
-  ASSIGN_OR_RETURN(const auto bytes,
-                   file_.read(begin, file_.file_bytes() - sizeof(SheetTail) - begin));
-  ASSIGN_OR_RETURN(head_, decode_sheet_head(bytes, pages));
+  ASSIGN_OR_RETURN(head_bytes_, file_.read(begin, file_.file_bytes() - sizeof(SheetTail) - begin));
+  ASSIGN_OR_RETURN(head_, decode_sheet_head(head_bytes_, pages));
   const uint64_t before = head_.sheet_bytes + head_.chart_bytes;
   if (before <= begin && begin - before == head_.block_bytes) return Status::ok();
   return data_loss("the head says " + std::to_string(head_.sheet_bytes) + " bytes of sheets, " +
@@ -77,13 +77,13 @@ Status SheetFile::read_head(const PageHead& pages) {
 }
 
 Status SheetFile::read_blocks(const PageHead& pages) {
-  uint64_t block_begin = head_.sheet_bytes + head_.chart_bytes;
+  block_offsets_.push_back(head_.sheet_bytes + head_.chart_bytes);
   sheet_offsets_.push_back(0);
   chart_offsets_.push_back(head_.sheet_bytes);
   for (uint32_t b = 0; b < head_.blocks.size(); ++b) {
-    ASSIGN_OR_RETURN(const auto bytes, file_.read(block_begin, head_.blocks[b].bytes));
+    block_offsets_.push_back(block_offsets_.back() + head_.blocks[b].bytes);
+    ASSIGN_OR_RETURN(const auto bytes, read_block_bytes(b));
     ASSIGN_OR_RETURN(const SheetBlock block, decode_sheet_block(bytes, head_, pages, b));
-    block_begin += bytes.size();
     for (size_t i = 0; i < block.charts.size(); ++i) {
       charts_.push_back(block.charts[i]);
       chart_offsets_.push_back(chart_offsets_.back() + block.charts[i].bytes);
@@ -95,13 +95,27 @@ Status SheetFile::read_blocks(const PageHead& pages) {
   return Status::ok();
 }
 
+Result<std::vector<uint8_t>> SheetFile::read_block_bytes(uint32_t block) const {
+  ASSIGN_OR_RETURN(auto bytes, file_.read(block_offsets_[block], head_.blocks[block].bytes));
+  const auto header = read_sealed<SheetBlockHeader>(bytes, bytes.size());
+  RETURN_IF_ERROR(header.status().with_context("block " + std::to_string(block)));
+  return bytes;
+}
+
 Result<std::vector<uint8_t>> SheetFile::read_chart_bytes(PageId page) const {
-  return file_.read(chart_offsets_[page], charts_[page].bytes);
+  ASSIGN_OR_RETURN(auto bytes, file_.read(chart_offsets_[page], charts_[page].bytes));
+  const auto header = read_sealed<ChartHeader>(bytes, kChartBytesMax);
+  RETURN_IF_ERROR(header.status().with_context("charts of page " + std::to_string(page)));
+  return bytes;
 }
 
 Result<std::vector<uint8_t>> SheetFile::read_sheet_bytes(PageId page, size_t halving) const {
   const size_t sheet = static_cast<size_t>(sheets_.start[page]) + halving;
-  return file_.read(sheet_offsets_[sheet], sheets_.item[sheet].bytes);
+  ASSIGN_OR_RETURN(auto bytes, file_.read(sheet_offsets_[sheet], sheets_.item[sheet].bytes));
+  const auto header = read_sealed<SheetHeader>(bytes, kSheetBytesMax);
+  RETURN_IF_ERROR(header.status().with_context("sheet " + std::to_string(halving) + " of page " +
+                                               std::to_string(page)));
+  return bytes;
 }
 
 Result<PageCharts> SheetFile::read_charts(const Page& page) const {
@@ -115,6 +129,12 @@ Result<Sheet> SheetFile::read_sheet(PageId page, size_t halving) const {
   RETURN_IF_ERROR(
       check_listed(sheet, page, halving, sheets_[page][halving], charts_[page].density));
   return sheet;
+}
+
+uint64_t SheetFile::byte_count() const {
+  return head_bytes_.capacity() + charts_.capacity() * sizeof(ChartEntry) + sheets_.byte_count() +
+         (block_offsets_.capacity() + chart_offsets_.capacity() + sheet_offsets_.capacity()) *
+             sizeof(uint64_t);
 }
 
 }  // namespace burnish

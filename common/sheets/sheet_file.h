@@ -62,12 +62,16 @@ class SheetFile {
                                 uint64_t pages_fingerprint);
 
   const SheetHead& head() const { return head_; }
+
+  /// Returns the encoded head.
+  std::span<const uint8_t> head_bytes() const { return head_bytes_; }
   const ChartEntry& chart_entry(PageId page) const { return charts_[page]; }
   /// Returns the page's sheets, the finest first.
   std::span<const SheetEntry> sheet_entries(PageId page) const { return sheets_[page]; }
 
-  /// Reads encoded charts or an encoded sheet as they lie there. Needs: a page of the scan, and one
-  /// of its sheets. Fails: data_loss; as errno says.
+  /// Reads an encoded block, charts or a sheet, and checks the checksum. Needs: a block or page of
+  /// the scan, and one of the page's sheets. Fails: data_loss that names the damage; as errno says.
+  Result<std::vector<uint8_t>> read_block_bytes(uint32_t block) const;
   Result<std::vector<uint8_t>> read_chart_bytes(PageId page) const;
   Result<std::vector<uint8_t>> read_sheet_bytes(PageId page, size_t halving) const;
 
@@ -78,6 +82,8 @@ class SheetFile {
   /// sheets. Fails: data_loss that names the page and the damage.
   Result<Sheet> read_sheet(PageId page, size_t halving) const;
 
+  uint64_t byte_count() const;  ///< in memory
+
  private:
   explicit SheetFile(FileReader file) : file_(std::move(file)) {}
   Result<uint64_t> find_head() const;
@@ -86,8 +92,10 @@ class SheetFile {
 
   FileReader file_;
   SheetHead head_;
+  std::vector<uint8_t> head_bytes_;
   std::vector<ChartEntry> charts_;
   Groups<SheetEntry> sheets_;
+  std::vector<uint64_t> block_offsets_;  ///< blocks + 1
   std::vector<uint64_t> chart_offsets_;  ///< pages + 1
   std::vector<uint64_t> sheet_offsets_;  ///< sheets + 1
 };

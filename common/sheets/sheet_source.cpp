@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/sheets/catmull_rom.h"
+
 namespace burnish {
 
 namespace {
@@ -12,14 +14,6 @@ struct SheetedTriangle {
   const Sheet* sheet;
   std::array<Vec2d, 3> corners;
 };
-
-/// Returns the weights of the four texels around a place `part` behind the second one.
-std::array<float, 4> catmull_rom(float part) {
-  const float square = part * part;
-  const float cube = square * part;
-  return {-0.5f * cube + square - 0.5f * part, 1.5f * cube - 2.5f * square + 1,
-          -1.5f * cube + 2 * square + 0.5f * part, 0.5f * cube - 0.5f * square};
-}
 
 Texel sample_sheet(const Sheet& sheet, double x, double y) {
   const double left = std::floor(x - 0.5);
