@@ -32,6 +32,11 @@ struct PageVertices {
 /// kPageGridBitsMax allows it.
 PageGrid choose_page_grid(const MeshStatistics& statistics);
 
+/// Rounds every vertex down to a step, as place_vertices() does. Returns a position per vertex. The
+/// statistics are not read.
+ScratchArray<Vec3i> place_on_grid(const PagesInput& scan, const PageGrid& grid,
+                                  const ScratchSpace& space);
+
 /// Rounds every vertex down to a step. A vertex on a plane between cells goes to the side on which
 /// its triangles lie, so that its cell holds surface at every depth.
 /// Deterministic: the same bits for any number of threads.

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "common/base/types.h"
+#include "common/mesh/textured_surface.h"
+#include "common/pages/page.h"
+#include "common/sheets/bake_sheet.h"
+#include "common/sheets/chart.h"
+#include "server/prepare/sheets/picture_tiles.h"
+#include "server/prepare/sheets/triangle_finder.h"
+
+namespace burnish {
+
+/// What the scan's pictures show on a page of level 0.
+class PagePaint {
+ public:
+  /// Needs: the arguments outlive this and its source.
+  PagePaint(const Page& page, const TexturedSurface& surface, const PictureTiles& tiles,
+            const TriangleFinder& finder);
+
+  /// Texels of pictures inside the page's triangles, and the area of these triangles in steps².
+  double used_texels() const { return used_texels_; }
+  double painted_area() const { return painted_area_; }
+  /// Triangles that the scan does not have at these places: nothing is drawn for them.
+  size_t lost_triangles() const { return lost_triangles_; }
+
+  /// Returns the page's triangles with their pictures. For one thread.
+  BakeSource source(PictureSampler& sampler) const;
+
+ private:
+  /// A triangle of the page with what its corners show.
+  struct Painted {
+    std::array<Vec3d, 3> places;      ///< steps
+    std::array<Vec2d, 3> on_picture;  ///< texels
+    uint32_t picture = kNoTexture;
+    TextureWraps wraps;
+    bool is_tinted = false;
+    std::array<Vec3f, 3> tints;  ///< linear light; the colours themselves without a picture
+  };
+  static Texel texel_of(const Painted& painted, const Vec3d& weights, PictureSampler& sampler);
+  Painted painted(const std::array<Vec3d, 3>& places, const FoundTriangle& found,
+                  const TexturedSurface& surface, const PictureTiles& tiles) const;
+  void count(const Painted& painted);
+
+  std::vector<Painted> triangles_;
+  double used_texels_ = 0;
+  double painted_area_ = 0;
+  size_t lost_triangles_ = 0;
+};
+
+}  // namespace burnish

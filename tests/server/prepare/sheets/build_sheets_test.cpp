@@ -1,0 +1,176 @@
+#include "server/prepare/sheets/build_sheets.h"
+
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/sheets/sheet_codec.h"
+#include "tests/common/picture/encoding.h"
+#include "tests/common/temporary_folder.h"
+#include "tests/server/prepare/sheets/sheets_of_ball.h"
+
+namespace burnish {
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+/// A painted ball of several pages.
+class BuildSheets : public testing::Test {
+ protected:
+  SheetFile build(const SheetsOptions& options = {}) {
+    const auto built = build_sheets_of_archive(zip_, pages_, path_, options, {}, &report_);
+    EXPECT_TRUE(built.is_ok()) << built.status().to_string();
+    EXPECT_TRUE(*built);
+    return open_sheets(path_, pages_);
+  }
+
+  TemporaryFolder folder_;
+  PaintedBall ball_;
+  std::vector<uint8_t> zip_ = ball_.zip();
+  PageFile pages_ = pages_of_archive(zip_, folder_ / "ball.pages");
+  fs::path path_ = folder_ / "ball.sheets";
+  SheetsReport report_;
+};
+
+TEST_F(BuildSheets, TheFinestSheetsShowThePictureWithinFortyDecibels) {
+  const SheetFile sheets = build();
+  EXPECT_GE(psnr_of_level(ball_, pages_, sheets, 0), 40);
+  EXPECT_EQ(report_.lost_triangles, 0u);
+}
+
+TEST_F(BuildSheets, CoarserSheetsShowTheFinerOnes) {
+  const SheetFile sheets = build();
+  for (int level = 1; level < pages_.directory().head.level_count(); ++level)
+    EXPECT_GE(psnr_of_level(ball_, pages_, sheets, level), 35) << level;
+}
+
+TEST_F(BuildSheets, EveryPageHasSheetsThatFitItsCharts) {
+  const SheetFile sheets = build();
+  const PageHead& head = pages_.directory().head;
+  for (PageId id = 0; id < head.page_count(); ++id) {
+    const Page page = pages_.read_page(id).value();
+    const auto charts = sheets.read_charts(page);
+    ASSERT_TRUE(charts.is_ok()) << charts.status().to_string();
+    for (size_t halving = 0; halving < sheets.sheet_entries(id).size(); ++halving) {
+      const Sheet sheet = sheets.read_sheet(id, halving).value();
+      const Status status =
+          check_sheet_layout(sheet.layout, page, *charts, sheet.density * head.grid.step());
+      EXPECT_TRUE(status.is_ok()) << status.to_string();
+    }
+  }
+}
+
+TEST_F(BuildSheets, OneThreadAndThreeMakeTheSameBytes) {
+  build({.threads = 1});
+  const std::string one = content_of(path_);
+  build({.threads = 3});
+  EXPECT_TRUE(content_of(path_) == one);
+}
+
+TEST_F(BuildSheets, ArraysInFilesMakeTheSameBytes) {
+  build();
+  const std::string in_memory = content_of(path_);
+  build({.space = ScratchSpace(folder_.path(), 0)});
+  EXPECT_TRUE(content_of(path_) == in_memory);
+}
+
+TEST_F(BuildSheets, LeaveNothingElseInTheFolder) {
+  build();
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), {}), 2);
+}
+
+TEST_F(BuildSheets, CanBeCancelledInEachPhase) {
+  for (const std::string cancelled : {"pictures", "sheets"}) {
+    const Progress progress = [&](std::string_view phase, double) { return phase != cancelled; };
+    const auto built = build_sheets_of_archive(zip_, pages_, path_, {}, progress);
+    EXPECT_EQ(built.status().code(), StatusCode::kCancelled) << cancelled;
+    EXPECT_FALSE(fs::exists(path_));
+  }
+}
+
+/// Refuses more than its limits.
+class SmallBudget final : public PreparationBudget {
+ public:
+  explicit SmallBudget(uint64_t memory_bytes) : memory_bytes_(memory_bytes) {}
+  uint64_t memory_bytes_max() const override { return memory_bytes_; }
+  Status ask(const PreparationNeed& need) override {
+    if (need.memory_bytes <= memory_bytes_) return Status::ok();
+    return resource_exhausted(std::to_string(need.memory_bytes) + " bytes");
+  }
+
+ private:
+  uint64_t memory_bytes_;
+};
+
+TEST_F(BuildSheets, MoreThanTheBudgetIsRefused) {
+  SmallBudget small(1 << 20);
+  const auto built = build_sheets_of_archive(zip_, pages_, path_, {.budget = &small});
+  EXPECT_EQ(built.status().code(), StatusCode::kResourceExhausted);
+  EXPECT_THAT(built.status().message(), HasSubstr("10800 triangles"));
+  EXPECT_FALSE(fs::exists(path_));
+}
+
+TEST_F(BuildSheets, ADamagedPictureOfAnObjIsRefused) {
+  std::string png = png_of(ball_.picture());
+  png.resize(png.size() / 2);
+  const auto built = build_sheets_of_archive(ball_.zip(png), pages_, path_);
+  EXPECT_EQ(built.status().code(), StatusCode::kInvalidArgument);
+  EXPECT_THAT(built.status().message(), HasSubstr("skin.png"));
+}
+
+TEST_F(BuildSheets, WithoutAPictureThereAreNone) {
+  const auto built = build_sheets_of_archive(ball_.zip("GIF89a"), pages_, path_);
+  ASSERT_TRUE(built.is_ok()) << built.status().to_string();
+  EXPECT_FALSE(*built);
+  EXPECT_FALSE(fs::exists(path_));
+}
+
+TEST_F(BuildSheets, AnInterlacedPictureMakesTheSameSheets) {
+  build();
+  const Sheet plain = open_sheets(path_, pages_).read_sheet(0, 0).value();
+  ASSERT_TRUE(
+      *build_sheets_of_archive(ball_.zip(interlaced_png_of(ball_.picture())), pages_, path_));
+  EXPECT_EQ(open_sheets(path_, pages_).read_sheet(0, 0)->texels, plain.texels);
+}
+
+// BURNISH_BALL_QUADS=160 BURNISH_BALL_TEXELS=1364 is a scan of 307,200 triangles with a picture of
+// 4098 x 2732 texels.
+TEST(LargeBall, HasAtMostFourTimesAsManyTexelsAsItsPicture) {
+  const char* quads = std::getenv("BURNISH_BALL_QUADS");
+  const char* texels = std::getenv("BURNISH_BALL_TEXELS");
+  PaintedBall ball;
+  if (quads != nullptr) ball.quads_per_side = std::atoi(quads);
+  if (texels != nullptr) ball.face_texels = static_cast<uint32_t>(std::atoi(texels));
+  const TemporaryFolder folder;
+  const std::vector<uint8_t> zip = ball.zip();
+  const PageFile pages = pages_of_archive(zip, folder / "ball.pages");
+  SheetsReport report;
+  const std::clock_t start = std::clock();
+  ASSERT_TRUE(*build_sheets_of_archive(zip, pages, folder / "ball.sheets", {}, {}, &report));
+  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  const SheetFile sheets = open_sheets(folder / "ball.sheets", pages);
+  const auto triangles = static_cast<double>(pages.directory().head.scan_triangles);
+  double all = 0;
+  for (const SheetsReport::Level& level : report.levels) {
+    std::cout << level.pages << " pages, " << level.texels << " texels, " << level.seconds << " s, "
+              << psnr_of_level(ball, pages, sheets, int(&level - report.levels.data())) << " dB\n";
+    all += static_cast<double>(level.texels);
+  }
+  std::cout << seconds << " CPU s, pictures " << report.picture_seconds << " s; "
+            << seconds / report.used_texels * 1e6 << " s a Mtexel, " << seconds / triangles * 1e6
+            << " us a triangle, " << report.used_texels / triangles << " texels a triangle, "
+            << all / report.used_texels << " sheet texels a texel, "
+            << static_cast<double>(sheets.head().sheet_bytes) / report.used_texels
+            << " bytes a texel, " << static_cast<double>(sheets.head().chart_bytes) / triangles
+            << " bytes of charts a triangle\n";
+  EXPECT_LE(all, 4 * report.used_texels);
+}
+
+}  // namespace
+}  // namespace burnish

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+#include "common/pages/page_file.h"
+#include "common/sheets/sheet_file.h"
+#include "server/prepare/sheets/build_sheets.h"
+#include "tests/server/prepare/sheets/painted_ball.h"
+
+namespace burnish {
+
+/// Makes the pages of a textured scan. Returns the open page file.
+PageFile pages_of_archive(std::span<const uint8_t> zip, const std::filesystem::path& path);
+
+/// Makes its sheets beside them.
+Result<bool> build_sheets_of_archive(std::span<const uint8_t> zip, const PageFile& pages,
+                                     const std::filesystem::path& path,
+                                     const SheetsOptions& options = {},
+                                     const Progress& progress = {}, SheetsReport* report = nullptr);
+
+/// Returns the peak signal-to-noise ratio of the finest sheets of a level, sampled bilinearly at
+/// random places of its pages and weighted by area, to the ball's pattern there; dB.
+double psnr_of_level(const PaintedBall& ball, const PageFile& pages, const SheetFile& sheets,
+                     int level);
+
+/// Opens a sheet file beside its pages. Ends the program if it is not good.
+SheetFile open_sheets(const std::filesystem::path& path, const PageFile& pages);
+
+}  // namespace burnish
