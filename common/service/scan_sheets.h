@@ -12,6 +12,9 @@ namespace burnish {
 /// Limit of the blocks, charts and sheets of one request.
 inline constexpr size_t kSheetPartsPerFetchMax = 64;
 
+/// Limit of the bytes of one request's sheets together. The directory says how many each has.
+inline constexpr uint64_t kSheetBytesPerFetchMax = uint64_t{32} << 20;
+
 /// Names a sheet of a scan.
 struct SheetNumber {
   uint32_t page = 0;

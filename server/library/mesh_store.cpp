@@ -230,6 +230,7 @@ Status MeshStore::remove(const std::string& id) {
     index_.erase(id);
   }
   pages_.forget(id);
+  sheets_.forget(id);
   return sync_folder(folder_.scans());
 }
 

@@ -13,6 +13,7 @@
 #include "common/mesh/rewrite/rewrite.h"
 #include "common/service/scan_info.h"
 #include "common/service/scan_pages.h"
+#include "common/service/scan_sheets.h"
 #include "server/library/data_folder.h"
 #include "server/library/known_proposals.h"
 #include "server/library/mesh_cache.h"
@@ -21,6 +22,7 @@
 #include "server/library/scan_catalogue.h"
 #include "server/library/scan_index.h"
 #include "server/library/scan_names.h"
+#include "server/library/scans_without_pictures.h"
 #include "server/library/staging_folder.h"
 #include "server/library/upload.h"
 #include "server/memory/quota.h"
@@ -128,6 +130,23 @@ class MeshStore {
   Status read_pages(const std::string& id, const PagesWish& wish, const PageTaker& take,
                     const Progress& progress);
 
+  /// Describes a scan's sheets. Makes missing and damaged ones now, and the pages before. The head
+  /// is empty if the scan shows no picture. Fails: as describe_pages(); data_loss (damaged pages,
+  /// which are made again with the next call).
+  Result<SheetsDescription> describe_sheets(const std::string& id, const Progress& progress);
+
+  /// Reads blocks, charts and sheets in the order of the wish, and hands them over one by one.
+  /// Fails: invalid_argument naming a part that the scan does not have; failed_precondition when
+  /// the scan has no sheets; data_loss when they are damaged: the next describe_sheets() makes them
+  /// again; cancelled.
+  struct SheetTaker {
+    std::function<void(const PagePart&)> block;
+    std::function<void(const PagePart&)> charts;
+    std::function<void(const SheetPart&)> sheet;
+  };
+  Status read_sheets(const std::string& id, const SheetsWish& wish, const SheetTaker& take,
+                     const Progress& progress);
+
   /// Opens a scan's page file. Makes a missing or damaged one now. Fails: as describe_pages().
   Result<std::shared_ptr<const ScanPages>> open_pages(const std::string& id,
                                                       const Progress& progress);
@@ -199,6 +218,16 @@ class MeshStore {
   std::filesystem::path pages_path(const std::string& id) const;
   Status make_pages(const std::string& id, const Progress& progress);
   Result<std::shared_ptr<const ScanPages>> open_page_file(const std::string& id);
+  std::filesystem::path sheets_path(const std::string& id) const;
+  Result<bool> may_show_pictures(const std::string& id, const Progress& progress);
+  Result<bool> make_sheets(const ScanPages& pages, const Progress& progress);
+  Result<std::shared_ptr<const ScanSheets>> open_sheet_file(
+      const std::shared_ptr<const ScanPages>& pages);
+  Result<std::shared_ptr<const ScanSheets>> open_sheets(const std::string& id,
+                                                        const Progress& progress);
+  Result<std::shared_ptr<const ScanSheets>> find_sheets(const std::string& id);
+  void drop_damaged_sheets(const std::string& id, const Status& damage);
+
   Result<EdgeProposal> measure_noise(const std::string& id, const Progress& progress);
   void drop_damaged_pages(const std::string& id, const Status& damage);
 
@@ -215,6 +244,8 @@ class MeshStore {
   Quota uploads_;
   MeshCache cache_;
   OpenPages pages_;
+  OpenSheets sheets_;
+  ScansWithoutPictures without_pictures_;
   std::mutex wanted_mutex_;
   IsWanted is_wanted_;
   FairMutex preparing_;  // one at a time: each uses all cores and much memory

@@ -120,6 +120,7 @@ void MeshStore::drop_here(const std::string& id) {
     index_.erase(id);
   }
   pages_.forget(id);
+  sheets_.forget(id);
 }
 
 Status MeshStore::bring_here(const std::string& id, const Progress& progress) {

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <cstdint>
-#include <list>
 #include <memory>
-#include <mutex>
 #include <string>
 
 #include "common/pages/page_file.h"
+#include "common/sheets/sheet_file.h"
+#include "server/library/open_files.h"
 #include "server/memory/quota.h"
 
 namespace burnish {
@@ -17,22 +16,15 @@ struct ScanPages {
   PageFile file;
   Quota::Share memory;  ///< for the directory; pages stay on the disk
 };
+using OpenPages = OpenFiles<ScanPages>;
 
-/// The page files that clients used last. A caller holds a file for as long as it needs it.
-/// Thread-safe.
-class OpenPages {
- public:
-  /// Limit of files that stay open without a holder.
-  static constexpr size_t kFilesMax = 16;
-
-  /// Returns null if the file is not open.
-  std::shared_ptr<const ScanPages> find(const std::string& scan_id);
-  void add(std::shared_ptr<const ScanPages> pages);
-  void forget(const std::string& scan_id);
-
- private:
-  std::mutex mutex_;
-  std::list<std::shared_ptr<const ScanPages>> open_;  // few; the last used first
+/// An open sheet file with its share of the server's memory.
+struct ScanSheets {
+  std::string scan_id;
+  std::shared_ptr<const ScanPages> pages;  ///< that it belongs to
+  SheetFile file;
+  Quota::Share memory;  ///< for the directory; sheets stay on the disk
 };
+using OpenSheets = OpenFiles<ScanSheets>;
 
 }  // namespace burnish

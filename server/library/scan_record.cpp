@@ -7,6 +7,7 @@
 
 #include "common/base/file_content.h"
 #include "common/pages/page_format.h"
+#include "common/sheets/sheet_format.h"
 #include "server/prepare/prepared_mesh.h"
 
 namespace burnish {
@@ -96,19 +97,34 @@ std::optional<uint32_t> prepared_file_version(const std::string& name) {
   return version;
 }
 
-static std::string pages_file_name_of_version(uint32_t version) {
-  return "pages-format" + std::to_string(version) + ".pages";
+// E.g. "pages-format1.pages".
+static std::string versioned_name(const std::string& kind, uint32_t version) {
+  return kind + "-format" + std::to_string(version) + "." + kind;
+}
+
+static std::optional<uint32_t> version_in(const std::string& name, const std::string& kind) {
+  const std::string begin = kind + "-format";
+  unsigned version = 0;
+  if (!name.starts_with(begin)) return std::nullopt;
+  if (std::sscanf(name.c_str() + begin.size(), "%u", &version) != 1) return std::nullopt;
+  if (versioned_name(kind, version) != name) return std::nullopt;
+  return version;
 }
 
 std::string pages_file_name() {
-  return pages_file_name_of_version(kPageFormatVersion);
+  return versioned_name("pages", kPageFormatVersion);
 }
 
 std::optional<uint32_t> pages_file_version(const std::string& name) {
-  unsigned version = 0;
-  if (std::sscanf(name.c_str(), "pages-format%u", &version) != 1) return std::nullopt;
-  if (pages_file_name_of_version(version) != name) return std::nullopt;
-  return version;
+  return version_in(name, "pages");
+}
+
+std::string sheets_file_name() {
+  return versioned_name("sheets", kSheetFormatVersion);
+}
+
+std::optional<uint32_t> sheets_file_version(const std::string& name) {
+  return version_in(name, "sheets");
 }
 
 static Result<std::vector<PreparedInfo>> list_prepared(const fs::path& folder) {

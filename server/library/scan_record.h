@@ -34,6 +34,12 @@ std::string pages_file_name();
 /// Returns the version in such a name; nothing for other names.
 std::optional<uint32_t> pages_file_version(const std::string& name);
 
+/// Returns "sheets-format1.sheets", with the version of the sheet file.
+std::string sheets_file_name();
+
+/// Returns the version in such a name; nothing for other names.
+std::optional<uint32_t> sheets_file_version(const std::string& name);
+
 /// Reads a scan's folder: info.json, and the prepared files by name. Fails: not_found, data_loss;
 /// as errno says.
 Result<ScanInfo> read_scan_folder(const std::filesystem::path& folder);

@@ -7,6 +7,7 @@
 #include <spdlog/spdlog.h>
 
 #include "common/pages/page_format.h"
+#include "common/sheets/sheet_format.h"
 #include "server/library/scan_record.h"
 #include "server/prepare/prepared_file.h"
 
@@ -80,7 +81,12 @@ std::error_code remove_of_scan(const fs::path& scan, RemovedFiles& removed) {
                                   prepared_file_version};
   static const FileKind kPages{
       ".pages", {kPageMagic.begin(), kPageMagic.end()}, kPageFormatVersion, pages_file_version};
-  const std::error_code failure = remove_from(scan, kPages, removed);
+  static const FileKind kSheets{".sheets",
+                                {kSheetMagic.begin(), kSheetMagic.end()},
+                                kSheetFormatVersion,
+                                sheets_file_version};
+  std::error_code failure = remove_from(scan, kPages, removed);
+  if (!failure) failure = remove_from(scan, kSheets, removed);
   return failure ? failure : remove_from(scan / "prepared", kPrepared, removed);
 }
 

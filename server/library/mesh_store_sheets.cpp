@@ -1,0 +1,202 @@
+// What MeshStore does for clients that draw a scan's pictures.
+
+#include <span>
+
+#include <spdlog/spdlog.h>
+
+#include "common/base/mapped_file.h"
+#include "common/mesh/textured_surface.h"
+#include "common/pages/directory_codec.h"
+#include "server/library/mesh_store.h"
+#include "server/library/scan_record.h"
+#include "server/memory/library_budget.h"
+#include "server/prepare/sheets/build_sheets.h"
+#include "server/scheduling/cancellable_lock.h"
+
+namespace burnish {
+
+namespace fs = std::filesystem;
+
+static constexpr size_t kDescribedSheetBlockBytesMax = 64 << 10;
+
+fs::path MeshStore::sheets_path(const std::string& id) const {
+  return scan_folder(id) / sheets_file_name();
+}
+
+Result<std::shared_ptr<const ScanSheets>> MeshStore::open_sheet_file(
+    const std::shared_ptr<const ScanPages>& pages) {
+  const uint64_t fingerprint = pages_fingerprint(pages->file.head_bytes());
+  const auto open = sheets_.find(pages->scan_id);
+  if (open && open->file.head().pages_fingerprint == fingerprint) return open;
+  sheets_.forget(pages->scan_id);
+  auto file =
+      SheetFile::open(sheets_path(pages->scan_id), pages->file.directory().head, fingerprint);
+  RETURN_IF_ERROR(file.status());
+  const auto sheets =
+      std::make_shared<ScanSheets>(ScanSheets{pages->scan_id, pages, std::move(file).value(), {}});
+  ASSIGN_OR_RETURN(sheets->memory, memory_.take(kServer, sheets->file.byte_count()));
+  sheets_.add(sheets);
+  return std::shared_ptr<const ScanSheets>(sheets);
+}
+
+// Sheets of other pages are of no use either.
+static bool is_to_be_made(StatusCode code) {
+  return code == StatusCode::kNotFound || code == StatusCode::kDataLoss ||
+         code == StatusCode::kUnimplemented || code == StatusCode::kFailedPrecondition;
+}
+
+/// Looks into the original's directory alone, which takes no time.
+Result<bool> MeshStore::may_show_pictures(const std::string& id, const Progress& progress) {
+  if (without_pictures_.has(id)) return false;
+  RETURN_IF_ERROR(bring_here(id, progress));
+  ASSIGN_OR_RETURN(const ScanInfo scan, read_scan_folder(scan_folder(id)));
+  const auto file = MappedFile::open(scan_folder(id) / original_file_name(scan.format));
+  if (!file.is_ok()) return true;  // making them says why
+  if (may_have_pictures(file->bytes(), scan.format)) return true;
+  without_pictures_.add(id);
+  return false;
+}
+
+Result<std::shared_ptr<const ScanSheets>> MeshStore::open_sheets(const std::string& id,
+                                                                 const Progress& progress) {
+  ASSIGN_OR_RETURN(const bool may_have_sheets, may_show_pictures(id, progress));
+  if (!may_have_sheets) return std::shared_ptr<const ScanSheets>();
+  ASSIGN_OR_RETURN(const auto pages, open_pages(id, progress));
+  auto sheets = open_sheet_file(pages);
+  if (sheets.is_ok() || !is_to_be_made(sheets.status().code())) return sheets;
+  ASSIGN_OR_RETURN(const auto lock,
+                   lock_or_cancel(preparing_, "waiting for another scan", progress));
+  sheets = open_sheet_file(pages);  // somebody else may have made them meanwhile
+  if (sheets.is_ok() || !is_to_be_made(sheets.status().code())) return sheets;
+  if (sheets.status().code() != StatusCode::kNotFound)
+    spdlog::warn("making sheets again: {}", sheets.status().message());
+  if (without_pictures_.has(id)) return std::shared_ptr<const ScanSheets>();
+  const auto made = make_sheets(*pages, progress);
+  if (made.status().code() == StatusCode::kDataLoss) drop_damaged_pages(id, made.status());
+  RETURN_IF_ERROR(made.status());
+  if (*made) return open_sheet_file(pages);
+  without_pictures_.add(id);
+  return std::shared_ptr<const ScanSheets>();
+}
+
+Result<bool> MeshStore::make_sheets(const ScanPages& pages, const Progress& progress) {
+  const fs::path folder = scan_folder(pages.scan_id);
+  ASSIGN_OR_RETURN(const ScanInfo scan, read_scan_folder(folder));
+  if (!report(progress, "reading", 0)) return cancelled("making sheets was cancelled");
+  RETURN_IF_ERROR(check_or_fetch(scan, progress));
+  const fs::path original = folder / original_file_name(scan.format);
+  LibraryBudget budget(memory_, folder_.scans());
+  RETURN_IF_ERROR(budget.ask_to_read(original, scan.format));
+  ASSIGN_OR_RETURN(const uint64_t held_bytes, reading_bytes_max(original, scan.format));
+  ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(original));
+  bool is_made = false;
+  const auto build = [&](const TexturedSurface& surface) -> Status {
+    ASSIGN_OR_RETURN(
+        is_made, build_sheets({surface, pages.file, scan.name}, sheets_path(pages.scan_id),
+                              {options_.threads, &budget, budget.space(), held_bytes}, progress));
+    return Status::ok();
+  };
+  RETURN_IF_ERROR(read_textured_surface(file.bytes(), scan.format, scan.name, build));
+  return is_made;
+}
+
+void MeshStore::drop_damaged_sheets(const std::string& id, const Status& damage) {
+  spdlog::warn("a sheet file is damaged and goes: {}", damage.message());
+  sheets_.forget(id);
+  std::error_code ignored;
+  fs::remove(sheets_path(id), ignored);
+}
+
+// The coarsest blocks are the last ones; a client begins with them.
+static Result<std::vector<PagePart>> last_sheet_blocks(const SheetFile& file) {
+  std::vector<PagePart> blocks;
+  size_t bytes = 0;
+  for (auto block = static_cast<uint32_t>(file.head().blocks.size()); block-- > 0;) {
+    bytes += file.head().blocks[block].bytes;
+    if (!blocks.empty() && bytes > kDescribedSheetBlockBytesMax) break;
+    ASSIGN_OR_RETURN(std::vector<uint8_t> part, file.read_block_bytes(block));
+    blocks.insert(blocks.begin(), {block, std::move(part)});
+  }
+  return blocks;
+}
+
+Result<SheetsDescription> MeshStore::describe_sheets(const std::string& id,
+                                                     const Progress& progress) {
+  ASSIGN_OR_RETURN(const auto sheets, open_sheets(id, progress));
+  SheetsDescription description;
+  if (sheets == nullptr) return description;
+  const auto head = sheets->file.head_bytes();
+  description.head.assign(head.begin(), head.end());
+  auto blocks = last_sheet_blocks(sheets->file);
+  if (blocks.status().code() == StatusCode::kDataLoss) drop_damaged_sheets(id, blocks.status());
+  RETURN_IF_ERROR(blocks.status());
+  description.blocks = std::move(blocks).value();
+  return description;
+}
+
+static Status check_number(const char* what, uint32_t number, size_t count) {
+  if (number < count) return Status::ok();
+  return invalid_argument(std::string(what) + " " + std::to_string(number) + " is outside 0.." +
+                          std::to_string(count - 1));
+}
+
+static Status check_sheet(const ScanSheets& sheets, const SheetNumber& sheet, uint32_t pages) {
+  RETURN_IF_ERROR(check_number("page", sheet.page, pages));
+  const std::string name = "halving of page " + std::to_string(sheet.page) + ":";
+  return check_number(name.c_str(), sheet.halving, sheets.file.sheet_entries(sheet.page).size());
+}
+
+static Status check_sheets_wish(const ScanSheets& sheets, const SheetsWish& wish) {
+  const uint32_t pages = sheets.pages->file.directory().head.page_count();
+  for (const uint32_t block : wish.blocks)
+    RETURN_IF_ERROR(check_number("block", block, sheets.file.head().blocks.size()));
+  for (const uint32_t page : wish.charts) RETURN_IF_ERROR(check_number("page", page, pages));
+  uint64_t bytes = 0;
+  for (const SheetNumber& sheet : wish.sheets) {
+    RETURN_IF_ERROR(check_sheet(sheets, sheet, pages));
+    bytes += sheets.file.sheet_entries(sheet.page)[sheet.halving].bytes;
+  }
+  if (bytes <= kSheetBytesPerFetchMax) return Status::ok();
+  return invalid_argument("a request for sheets of " + std::to_string(bytes) +
+                          " bytes; the limit is " + std::to_string(kSheetBytesPerFetchMax));
+}
+
+static Status read_sheet_parts(const SheetFile& file, const SheetsWish& wish,
+                               const MeshStore::SheetTaker& take, const Progress& progress) {
+  for (const uint32_t block : wish.blocks) {
+    ASSIGN_OR_RETURN(std::vector<uint8_t> bytes, file.read_block_bytes(block));
+    take.block({block, std::move(bytes)});
+  }
+  for (const uint32_t page : wish.charts) {
+    ASSIGN_OR_RETURN(std::vector<uint8_t> bytes, file.read_chart_bytes(page));
+    take.charts({page, std::move(bytes)});
+  }
+  for (const SheetNumber& sheet : wish.sheets) {
+    if (!report(progress, "reading sheets", 0)) return cancelled("reading sheets was cancelled");
+    ASSIGN_OR_RETURN(std::vector<uint8_t> bytes, file.read_sheet_bytes(sheet.page, sheet.halving));
+    take.sheet({sheet, std::move(bytes)});
+  }
+  return Status::ok();
+}
+
+Status MeshStore::read_sheets(const std::string& id, const SheetsWish& wish, const SheetTaker& take,
+                              const Progress& progress) {
+  ASSIGN_OR_RETURN(const auto sheets, find_sheets(id));
+  RETURN_IF_ERROR(check_sheets_wish(*sheets, wish));
+  const Status status = read_sheet_parts(sheets->file, wish, take, progress);
+  if (status.code() == StatusCode::kDataLoss) drop_damaged_sheets(id, status);
+  return status;
+}
+
+Result<std::shared_ptr<const ScanSheets>> MeshStore::find_sheets(const std::string& id) {
+  const auto none =
+      failed_precondition("scan " + short_id(id) + " has no sheets; call DescribeSheets");
+  const auto pages = open_page_file(id);
+  if (is_to_be_made(pages.status().code())) return none;
+  RETURN_IF_ERROR(pages.status());
+  auto sheets = open_sheet_file(*pages);
+  if (is_to_be_made(sheets.status().code())) return none;
+  return sheets;
+}
+
+}  // namespace burnish

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <mutex>
+#include <set>
+#include <string>
+
+namespace burnish {
+
+/// The scans that were read to the end and show no picture. An id names the bytes of a scan, so
+/// none ever gets one. Thread-safe.
+class ScansWithoutPictures {
+ public:
+  /// Beyond so many any one is forgotten.
+  static constexpr size_t kScansMax = 1000;
+
+  bool has(const std::string& scan_id) const {
+    const std::lock_guard lock(mutex_);
+    return ids_.contains(scan_id);
+  }
+
+  void add(const std::string& scan_id) {
+    const std::lock_guard lock(mutex_);
+    if (ids_.size() >= kScansMax) ids_.erase(ids_.begin());
+    ids_.insert(scan_id);
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::set<std::string> ids_;
+};
+
+}  // namespace burnish

@@ -1,0 +1,222 @@
+#include <atomic>
+#include <fstream>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/pages/directory_codec.h"
+#include "common/sheets/sheet_codec.h"
+#include "common/sheets/sheet_directory.h"
+#include "server/library/scan_record.h"
+#include "server/library/stale_files.h"
+#include "tests/server/manager/test_library.h"
+#include "tests/server/prepare/sheets/painted_ball.h"
+
+namespace burnish {
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+std::string archive_of(const PaintedBall& ball) {
+  const std::vector<uint8_t> zip = ball.zip();
+  return {zip.begin(), zip.end()};
+}
+
+/// A library with a painted ball of 4,800 triangles: several pages.
+class SheetStore : public testing::Test {
+ protected:
+  SheetStore() {
+    const std::string zip = archive_of({.quads_per_side = 20, .face_texels = 100});
+    scan_ = library_.import(zip, "ball", {}, 5, MeshFormat::kZip).value().scan;
+  }
+
+  fs::path path() const { return library_.folder->scans() / scan_.id / sheets_file_name(); }
+  fs::path pages_path() const { return library_.folder->scans() / scan_.id / pages_file_name(); }
+
+  PageHead pages() {
+    return decode_head(library_.store->describe_pages(scan_.id, {}).value().head).value();
+  }
+  Result<SheetsDescription> describe(const Progress& progress = {}) {
+    return library_.store->describe_sheets(scan_.id, progress);
+  }
+  bool has_sheets() {
+    const auto description = describe();
+    EXPECT_TRUE(description.is_ok()) << description.status().to_string();
+    return description.is_ok() && description->has_sheets();
+  }
+
+  Status read(const SheetsWish& wish) {
+    order_.clear();
+    sheets_.clear();
+    const auto block = [this](const PagePart& part) {
+      order_ += "b" + std::to_string(part.number);
+    };
+    const auto charts = [this](const PagePart& part) {
+      order_ += "c" + std::to_string(part.number);
+    };
+    const auto sheet = [this](const SheetPart& part) {
+      order_ += "s" + std::to_string(part.number.page) + "/" + std::to_string(part.number.halving);
+      sheets_.push_back(part);
+    };
+    return library_.store->read_sheets(scan_.id, wish, {block, charts, sheet}, {});
+  }
+  Status read_first() { return read({"", {}, {}, {{0, 0}}}); }
+
+  TestLibrary library_;
+  ScanInfo scan_;
+  std::string order_;  // of the last read
+  std::vector<SheetPart> sheets_;
+};
+
+TEST_F(SheetStore, TheFirstDescriptionMakesTheSheets) {
+  EXPECT_FALSE(fs::exists(path()));
+  EXPECT_EQ(read_first().code(), StatusCode::kFailedPrecondition);
+  EXPECT_TRUE(has_sheets());
+  EXPECT_TRUE(fs::exists(path()));
+  ASSERT_TRUE(read_first().is_ok());
+  EXPECT_TRUE(decode_sheet(sheets_.at(0).bytes).is_ok());
+}
+
+TEST_F(SheetStore, MissingPagesAreMadeBefore) {
+  fs::remove(pages_path());
+  library_.restart();
+  EXPECT_TRUE(has_sheets());
+  EXPECT_TRUE(fs::exists(pages_path()));
+}
+
+TEST_F(SheetStore, TheDescriptionEndsWithTheBlockOfTheRoot) {
+  const SheetsDescription description = describe().value();
+  const SheetHead head = decode_sheet_head(description.head, pages()).value();
+  ASSERT_FALSE(description.blocks.empty());
+  EXPECT_EQ(description.blocks.back().number, pages().block_count() - 1);
+  for (const PagePart& block : description.blocks)
+    EXPECT_TRUE(decode_sheet_block(block.bytes, head, pages(), block.number).is_ok());
+}
+
+TEST_F(SheetStore, PartsComeInTheOrderOfTheWish) {
+  ASSERT_TRUE(has_sheets());
+  ASSERT_TRUE(read({"", {1, 0}, {0, 1}, {{1, 1}, {0, 0}}}).is_ok());
+  EXPECT_EQ(order_, "b1b0c0c1s1/1s0/0");
+}
+
+TEST_F(SheetStore, APartThatTheScanDoesNotHaveIsRefused) {
+  ASSERT_TRUE(has_sheets());
+  const uint32_t count = pages().page_count();
+  const Status page = read({"", {}, {}, {{0, 0}, {count, 0}}});
+  EXPECT_EQ(page.code(), StatusCode::kInvalidArgument);
+  EXPECT_THAT(page.message(), HasSubstr("page " + std::to_string(count)));
+  EXPECT_TRUE(order_.empty());
+  EXPECT_THAT(read({"", {}, {count}, {}}).message(), HasSubstr(std::to_string(count)));
+  EXPECT_THAT(read({"", {99}, {}, {}}).message(), HasSubstr("block 99"));
+  EXPECT_THAT(read({"", {}, {}, {{0, 8}}}).message(), HasSubstr("page 0: 8"));
+}
+
+TEST_F(SheetStore, AScanWithoutPicturesHasNoneAndIsNotReadForThem) {
+  const ScanInfo plain = library_.import(sphere_file(), "plain").value().scan;
+  fs::resize_file(library_.folder->scans() / plain.id / "original.ply", 10);
+  const auto description = library_.store->describe_sheets(plain.id, {});
+  ASSERT_TRUE(description.is_ok()) << description.status().to_string();
+  EXPECT_FALSE(description->has_sheets());
+  EXPECT_EQ(library_.store->read_sheets(plain.id, {"", {}, {}, {{0, 0}}}, {}, {}).code(),
+            StatusCode::kFailedPrecondition);
+}
+
+TEST_F(SheetStore, APictureThatNobodyCanReadIsNone) {
+  const std::vector<uint8_t> zip = PaintedBall{.quads_per_side = 4}.zip("GIF89a");
+  const ScanInfo scan =
+      library_.import({zip.begin(), zip.end()}, "gif", {}, 5, MeshFormat::kZip).value().scan;
+  for (int time = 0; time < 2; ++time) {
+    const auto description = library_.store->describe_sheets(scan.id, {});
+    ASSERT_TRUE(description.is_ok()) << description.status().to_string();
+    EXPECT_FALSE(description->has_sheets());
+  }
+}
+
+TEST_F(SheetStore, ADamagedSheetIsRefusedAndTheSheetsAreMadeAgain) {
+  ASSERT_TRUE(has_sheets());
+  std::fstream(path(), std::ios::in | std::ios::out | std::ios::binary).seekp(100).put('\x5a');
+  EXPECT_EQ(read_first().code(), StatusCode::kDataLoss);
+  EXPECT_EQ(read_first().code(), StatusCode::kFailedPrecondition);
+  EXPECT_TRUE(has_sheets());
+  EXPECT_TRUE(read_first().is_ok());
+}
+
+TEST_F(SheetStore, AFileThatWasCutIsMadeAgain) {
+  ASSERT_TRUE(has_sheets());
+  fs::resize_file(path(), fs::file_size(path()) / 2);
+  library_.restart();
+  EXPECT_EQ(read_first().code(), StatusCode::kFailedPrecondition);
+  EXPECT_TRUE(has_sheets());
+  EXPECT_TRUE(read_first().is_ok());
+}
+
+TEST_F(SheetStore, SheetsOfOtherPagesAreMadeAgain) {
+  ASSERT_TRUE(has_sheets());
+  const std::string other_zip = archive_of({.quads_per_side = 21, .face_texels = 100});
+  const ScanInfo other = library_.import(other_zip, "other", {}, 5, MeshFormat::kZip).value().scan;
+  ASSERT_TRUE(library_.store->describe_sheets(other.id, {}).is_ok());
+  fs::copy_file(library_.folder->scans() / other.id / sheets_file_name(), path(),
+                fs::copy_options::overwrite_existing);
+  library_.restart();
+  EXPECT_EQ(read_first().code(), StatusCode::kFailedPrecondition);
+  EXPECT_TRUE(has_sheets());
+  EXPECT_TRUE(read_first().is_ok());
+}
+
+TEST_F(SheetStore, TwoWhoAskAtOnceShareOneMaking) {
+  std::atomic<int> makings{0};
+  const auto ask = [&] {
+    std::string last;
+    const Progress count = [&](std::string_view phase, double) {
+      if (phase == "pictures" && last != phase) ++makings;
+      last = phase;
+      return true;
+    };
+    EXPECT_TRUE(describe(count)->has_sheets());
+  };
+  std::thread one(ask), two(ask);
+  one.join();
+  two.join();
+  EXPECT_EQ(makings, 1);
+}
+
+TEST_F(SheetStore, MakingThemCanBeCancelled) {
+  const Progress cancel = [](std::string_view phase, double) { return phase != "sheets"; };
+  EXPECT_EQ(describe(cancel).status().code(), StatusCode::kCancelled);
+  EXPECT_FALSE(fs::exists(path()));
+  EXPECT_TRUE(has_sheets());
+}
+
+TEST_F(SheetStore, MakingThemBeyondTheMemoryIsRefusedWithTheNumbers) {
+  library_.restart({.memory_bytes_max = 8 << 20});
+  const Status status = describe().status();
+  EXPECT_EQ(status.code(), StatusCode::kResourceExhausted);
+  EXPECT_THAT(status.message(), HasSubstr("limits.memory_bytes_max is 8388608"));
+}
+
+TEST_F(SheetStore, NothingOfTheMakingStaysInMemory) {
+  const uint64_t before = library_.store->memory().taken();
+  ASSERT_TRUE(has_sheets());
+  EXPECT_LT(library_.store->memory().taken(), before + (64 << 10));
+}
+
+TEST_F(SheetStore, AScanThatIsRemovedTakesItsSheetsAlong) {
+  ASSERT_TRUE(has_sheets());
+  ASSERT_TRUE(library_.store->remove(scan_.id).is_ok());
+  EXPECT_FALSE(fs::exists(path()));
+  EXPECT_EQ(read_first().code(), StatusCode::kFailedPrecondition);
+}
+
+TEST_F(SheetStore, SheetsOfAnotherFormatGoAtTheNextStart) {
+  ASSERT_TRUE(has_sheets());
+  const fs::path old = path().parent_path() / "sheets-format0.sheets";
+  fs::copy_file(path(), old);
+  remove_stale_files(*library_.folder);
+  EXPECT_FALSE(fs::exists(old));
+  EXPECT_TRUE(fs::exists(path()));
+}
+
+}  // namespace
+}  // namespace burnish
