@@ -6,7 +6,9 @@
 #include "common/wire/format_wire.h"
 #include "common/wire/library_wire.h"
 #include "server/rpc/describe_pages_call.h"
+#include "server/rpc/describe_sheets_call.h"
 #include "server/rpc/fetch_pages_call.h"
+#include "server/rpc/fetch_sheets_call.h"
 #include "server/rpc/import_call.h"
 #include "server/rpc/prepare_call.h"
 #include "server/rpc/propose_edges_call.h"
@@ -55,6 +57,16 @@ grpc::ServerWriteReactor<v1::DescribePagesEvent>* LibraryService::DescribePages(
 grpc::ServerWriteReactor<v1::FetchPagesEvent>* LibraryService::FetchPages(
     grpc::CallbackServerContext* context, const v1::FetchPagesRequest* request) {
   return start_call<FetchPagesCall>(calls_, context, *request);
+}
+
+grpc::ServerWriteReactor<v1::DescribeSheetsEvent>* LibraryService::DescribeSheets(
+    grpc::CallbackServerContext* context, const v1::DescribeSheetsRequest* request) {
+  return start_call<DescribeSheetsCall>(calls_, context, *request);
+}
+
+grpc::ServerWriteReactor<v1::FetchSheetsEvent>* LibraryService::FetchSheets(
+    grpc::CallbackServerContext* context, const v1::FetchSheetsRequest* request) {
+  return start_call<FetchSheetsCall>(calls_, context, *request);
 }
 
 grpc::ServerWriteReactor<v1::ProposeEdgesEvent>* LibraryService::ProposeEdges(

@@ -10,7 +10,8 @@ using LibraryCalls = WithCalls<
     v1::Library::Service, v1::Library::WithRawCallbackMethod_Import,
     v1::Library::WithCallbackMethod_ListScans, v1::Library::WithCallbackMethod_DescribeScan,
     v1::Library::WithCallbackMethod_PrepareScan, v1::Library::WithCallbackMethod_DescribePages,
-    v1::Library::WithCallbackMethod_FetchPages, v1::Library::WithCallbackMethod_ProposeEdges,
+    v1::Library::WithCallbackMethod_FetchPages, v1::Library::WithCallbackMethod_DescribeSheets,
+    v1::Library::WithCallbackMethod_FetchSheets, v1::Library::WithCallbackMethod_ProposeEdges,
     v1::Library::WithCallbackMethod_RenameScan, v1::Library::WithCallbackMethod_SetScanUnit,
     v1::Library::WithCallbackMethod_DeleteScan>::Type;
 
@@ -33,6 +34,10 @@ class LibraryService final : public LibraryCalls {
       grpc::CallbackServerContext* context, const v1::DescribePagesRequest* request) override;
   grpc::ServerWriteReactor<v1::FetchPagesEvent>* FetchPages(
       grpc::CallbackServerContext* context, const v1::FetchPagesRequest* request) override;
+  grpc::ServerWriteReactor<v1::DescribeSheetsEvent>* DescribeSheets(
+      grpc::CallbackServerContext* context, const v1::DescribeSheetsRequest* request) override;
+  grpc::ServerWriteReactor<v1::FetchSheetsEvent>* FetchSheets(
+      grpc::CallbackServerContext* context, const v1::FetchSheetsRequest* request) override;
   grpc::ServerWriteReactor<v1::ProposeEdgesEvent>* ProposeEdges(
       grpc::CallbackServerContext* context, const v1::ProposeEdgesRequest* request) override;
   grpc::ServerUnaryReactor* RenameScan(grpc::CallbackServerContext* context,

@@ -15,6 +15,8 @@ static constexpr std::pair<std::string_view, Role> kLeastRoles[] = {
     {"/burnish.v1.Library/DescribeScan", Role::kViewer},
     {"/burnish.v1.Library/DescribePages", Role::kViewer},
     {"/burnish.v1.Library/FetchPages", Role::kViewer},
+    {"/burnish.v1.Library/DescribeSheets", Role::kViewer},
+    {"/burnish.v1.Library/FetchSheets", Role::kViewer},
     {"/burnish.v1.Library/ProposeEdges", Role::kViewer},
     {"/burnish.v1.Library/Import", Role::kEditor},
     {"/burnish.v1.Library/PrepareScan", Role::kEditor},

@@ -11,6 +11,7 @@
 #include "burnish/v1/library.pb.h"
 #include "common/transfer/chunk.h"
 #include "tests/server/metrics/http_get.h"
+#include "tests/server/prepare/sheets/painted_ball.h"
 #include "tests/system/server_process.h"
 #include "tests/system/wire_call.h"
 
@@ -75,7 +76,7 @@ std::string of_scan(const std::string& name) {
 std::vector<std::string> import(const std::string& scan, uint64_t announced) {
   return {bytes<v1::ImportRequest>([&](v1::ImportRequest& request) {
             request.mutable_header()->set_name("ball");
-            request.mutable_header()->set_format(v1::MESH_FORMAT_PLY);
+            request.mutable_header()->set_format(v1::MESH_FORMAT_ZIP);
             request.mutable_header()->set_size_bytes(announced);
             request.mutable_header()->set_depth(4);
           }),
@@ -90,6 +91,19 @@ std::string first_page_of(const std::string& scan) {
   request.set_scan(scan);
   request.add_pages(0);
   return request.SerializeAsString();
+}
+
+std::string first_sheet_of(const std::string& scan) {
+  v1::FetchSheetsRequest request;
+  request.set_scan(scan);
+  request.add_sheets()->set_page(0);
+  return request.SerializeAsString();
+}
+
+/// Returns an archive of a small scan with a picture.
+std::string textured_scan() {
+  const std::vector<uint8_t> zip = PaintedBall{.quads_per_side = 8, .face_texels = 30}.zip();
+  return {zip.begin(), zip.end()};
 }
 
 std::string open_session(const std::string& scan) {
@@ -191,6 +205,10 @@ std::vector<Rpc> rpcs_in_order(const std::string& scan) {
        {of_scan<v1::ProposeEdgesRequest>("ball")},
        {of_scan<v1::ProposeEdgesRequest>("none")}},
       {library + "FetchPages", {first_page_of("ball")}, {first_page_of("none")}},
+      {library + "DescribeSheets",
+       {of_scan<v1::DescribeSheetsRequest>("ball")},
+       {of_scan<v1::DescribeSheetsRequest>("none")}},
+      {library + "FetchSheets", {first_sheet_of("ball")}, {first_sheet_of("none")}},
       {editing + "OpenSession", {open_session("ball")}, {open_session("none")}},
       {editing + "ListSessions", {""}},
       {editing + "Apply", {apply("work")}, {apply("none")}},
@@ -245,7 +263,7 @@ class Outcomes : public testing::Test {
   Outcomes()
       : server_({"--metrics", "127.0.0.1:0"}),
         channel_(wire_channel(server_.address)),
-        rpcs_(rpcs_in_order(content_of(write_sphere(server_.folder)))) {}
+        rpcs_(rpcs_in_order(textured_scan())) {}
 
   /// Waits until no object of these kinds is alive.
   void expect_nothing_left(const std::vector<std::string>& kinds) const {

@@ -9,12 +9,14 @@ namespace {
 
 TEST(CallLanes, ListsAreShortAndWhatComputesIsLong) {
   for (const char* method : {"/burnish.v1.Library/ListScans", "/burnish.v1.Editing/ListSessions",
-                             "/burnish.v1.Library/DescribeScan"})
+                             "/burnish.v1.Library/DescribeScan", "/burnish.v1.Library/FetchPages",
+                             "/burnish.v1.Library/FetchSheets"})
     EXPECT_EQ(lane_of(method), Lane::kShort) << method;
   for (const char* method :
        {"/burnish.v1.Library/DescribePages", "/burnish.v1.Library/PrepareScan",
-        "/burnish.v1.Library/ProposeEdges", "/burnish.v1.Editing/Export",
-        "/burnish.v1.Editing/OpenSession", "/burnish.v1.Editing/ForkSession"}) {
+        "/burnish.v1.Library/DescribeSheets", "/burnish.v1.Library/ProposeEdges",
+        "/burnish.v1.Editing/Export", "/burnish.v1.Editing/OpenSession",
+        "/burnish.v1.Editing/ForkSession"}) {
     EXPECT_EQ(lane_of(method), Lane::kLong) << method;
     EXPECT_TRUE(least_role(method)) << method;
   }

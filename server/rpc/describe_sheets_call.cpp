@@ -1,0 +1,41 @@
+#include "server/rpc/describe_sheets_call.h"
+
+#include "common/wire/sheets_wire.h"
+
+namespace burnish {
+
+DescribeSheetsCall::DescribeSheetsCall(const CallContext& calls,
+                                       const v1::DescribeSheetsRequest& request)
+    : calls_(calls),
+      request_(request),
+      events_([this](const v1::DescribeSheetsEvent* event) { StartWrite(event); },
+              [this](grpc::Status status) { Finish(std::move(status)); }) {}
+
+void DescribeSheetsCall::begin() {
+  calls_.executor.post([call = self()] { call->end(call->describe()); },
+                       [call = self()](const Status& status) { call->end(status); });
+}
+
+Status DescribeSheetsCall::describe() {
+  ASSIGN_OR_RETURN(const ScanInfo scan, calls_.store.find(request_.scan()));
+  const Progress progress = [this](std::string_view phase, double fraction) {
+    return report_progress(phase, fraction);
+  };
+  ASSIGN_OR_RETURN(
+      const SheetsDescription description,
+      calls_.store.describe_sheets(scan.id, give_way_to(calls_.live.scheduler(), progress)));
+  v1::DescribeSheetsEvent event;
+  *event.mutable_done() = to_wire(description);
+  events_.push(std::move(event));
+  return Status::ok();
+}
+
+bool DescribeSheetsCall::report_progress(std::string_view phase, double fraction) {
+  v1::DescribeSheetsEvent event;
+  event.mutable_progress()->set_phase(std::string(phase));
+  event.mutable_progress()->set_fraction(fraction);
+  events_.offer(std::move(event));
+  return !cancelled_;
+}
+
+}  // namespace burnish
