@@ -20,7 +20,7 @@ class TextureSweep {
   /// weight, and the weight. All weights of a corner sum to about 1/3.
   using Add = std::function<void(uint32_t triangle, int corner, const Eigen::Array4d& part)>;
 
-  static constexpr double kRowVisitsMax = 1 << 24;  // seconds of one core
+  static constexpr double kRowVisitsMax = 1 << 22;  // ten seconds of one core
 
   /// `triangles` have materials with this picture and coordinates. `goes_on` is asked often; false
   /// ends the work. If triangles touch more than `row_visits_max` rows in all, tall ones look at

@@ -12,6 +12,7 @@ namespace {
 
 constexpr float kGutterReach = 6;  // texels; a border at 55 degrees climbs that high in the gutter
 constexpr float kNoDepth = std::numeric_limits<float>::quiet_NaN();
+constexpr float kDepthToCome = std::numeric_limits<float>::infinity();
 
 }  // namespace
 
@@ -32,15 +33,29 @@ void ChartBaker::add_target(const std::array<Vec3d, 3>& corners) {
 
 void ChartBaker::dilate() {
   is_inside_.resize(depths_.size());
-  std::ranges::transform(depths_, is_inside_.begin(),
-                         [](float depth) { return std::isnan(depth) ? 0 : 1; });
-  for (int pass = 0; pass < kSheetGutter * samples_; ++pass) {
-    std::vector<float> wider = depths_;
-    for (int y = 0; y < height_; ++y)
-      for (int x = 0; x < width_; ++x)
-        if (std::isnan(depths_[at(x, y)])) wider[at(x, y)] = mean_around(x, y);
-    depths_ = std::move(wider);
-  }
+  std::vector<Sample> front;
+  for (int y = 0; y < height_; ++y)
+    for (int x = 0; x < width_; ++x) {
+      is_inside_[at(x, y)] = std::isnan(depths_[at(x, y)]) ? 0 : 1;
+      if (is_inside_[at(x, y)] != 0) front.push_back({x, y});
+    }
+  for (int pass = 0; pass < kSheetGutter * samples_; ++pass) front = widen(front);
+}
+
+/// Gives depths to the samples around those that got theirs last. Returns them.
+std::vector<ChartBaker::Sample> ChartBaker::widen(const std::vector<Sample>& front) {
+  std::vector<Sample> wider;
+  std::vector<float> depths;
+  for (const Sample& known : front)
+    for_each_around(known, [&](const Sample& sample) {
+      float& depth = depths_[at(sample.x, sample.y)];
+      if (!std::isnan(depth)) return;
+      depth = kDepthToCome;
+      wider.push_back(sample);
+    });
+  for (const Sample& sample : wider) depths.push_back(mean_around(sample));
+  for (size_t i = 0; i < wider.size(); ++i) depths_[at(wider[i].x, wider[i].y)] = depths[i];
+  return wider;
 }
 
 void ChartBaker::add_source(uint32_t triangle, const std::array<Vec3d, 3>& corners) {
@@ -95,17 +110,22 @@ bool ChartBaker::is_outside(const std::array<Vec2d, 3>& corners) const {
   return most.x() < 0 || most.y() < 0 || least.x() > width_ || least.y() > height_;
 }
 
-float ChartBaker::mean_around(int x, int y) const {
+template <typename Visit>
+void ChartBaker::for_each_around(const Sample& sample, const Visit& visit) const {
+  for (int y = std::max(0, sample.y - 1); y < std::min(height_, sample.y + 2); ++y)
+    for (int x = std::max(0, sample.x - 1); x < std::min(width_, sample.x + 2); ++x) visit({x, y});
+}
+
+float ChartBaker::mean_around(const Sample& sample) const {
   float sum = 0;
   int count = 0;
-  for (int ny = std::max(0, y - 1); ny < std::min(height_, y + 2); ++ny)
-    for (int nx = std::max(0, x - 1); nx < std::min(width_, x + 2); ++nx) {
-      const float depth = depths_[at(nx, ny)];
-      if (std::isnan(depth)) continue;
-      sum += depth;
-      ++count;
-    }
-  return count > 0 ? sum / static_cast<float>(count) : kNoDepth;
+  for_each_around(sample, [&](const Sample& near) {
+    const float depth = depths_[at(near.x, near.y)];
+    if (!std::isfinite(depth)) return;
+    sum += depth;
+    ++count;
+  });
+  return sum / static_cast<float>(count);  // one at least
 }
 
 }  // namespace burnish

@@ -31,6 +31,11 @@ class ChartBaker {
   TexelGrid resolve(const BakeSource& source) const;
 
  private:
+  struct Sample {
+    int x = 0;
+    int y = 0;
+  };
+
   /// The triangle that faces a sample. The third weight follows from the others.
   struct Hit {
     float distance = std::numeric_limits<float>::infinity();  ///< texels, to the page's surface
@@ -42,7 +47,10 @@ class ChartBaker {
   std::array<Vec2d, 3> flat(const std::array<Vec3d, 3>& corners) const;
   Vec3d depths_of(const std::array<Vec3d, 3>& corners) const;
   bool is_outside(const std::array<Vec2d, 3>& corners) const;
-  float mean_around(int x, int y) const;
+  template <typename Visit>
+  void for_each_around(const Sample& sample, const Visit& visit) const;
+  std::vector<Sample> widen(const std::vector<Sample>& front);
+  float mean_around(const Sample& sample) const;
 
   const ChartMapping mapping_;
   const int samples_;

@@ -15,22 +15,23 @@ struct SheetedTriangle {
   std::array<Vec2d, 3> corners;
 };
 
+/// Returns the numbers of four texels of a row or column; beyond the border that of its last one.
+std::array<size_t, 4> texels_from(double first, int size) {
+  std::array<size_t, 4> numbers;
+  for (int k = 0; k < 4; ++k)
+    numbers[k] = static_cast<size_t>(std::clamp(first + k, 0.0, size - 1.0));
+  return numbers;
+}
+
 Texel sample_sheet(const Sheet& sheet, double x, double y) {
   const double left = std::floor(x - 0.5);
   const double top = std::floor(y - 0.5);
-  const auto along_x = catmull_rom(static_cast<float>(x - 0.5 - left));
-  const auto along_y = catmull_rom(static_cast<float>(y - 0.5 - top));
-  const auto inside = [](double first, int k, int size) {
-    return static_cast<size_t>(std::clamp(first + k - 1, 0.0, size - 1.0));
-  };
-  Texel sum = Texel::Zero();
-  for (int row = 0; row < 4; ++row)
-    for (int column = 0; column < 4; ++column) {
-      const Rgba8& texel = sheet.texels[inside(top, row, sheet.layout.height) * sheet.layout.width +
-                                        inside(left, column, sheet.layout.width)];
-      sum += along_x[column] * along_y[row] * Texel(texel[0], texel[1], texel[2], texel[3]);
-    }
-  return sum.cwiseMax(0.0f).cwiseMin(255.0f);  // splines overshoot
+  const auto columns = texels_from(left - 1, sheet.layout.width);
+  const auto rows = texels_from(top - 1, sheet.layout.height);
+  return filtered_by_catmull_rom(
+      x - 0.5 - left, y - 0.5 - top, [&](int row, int column) -> const Rgba8& {
+        return sheet.texels[rows[row] * sheet.layout.width + columns[column]];
+      });
 }
 
 void add_page(const SheetedPage& sheeted, double step, std::vector<SheetedTriangle>& triangles,

@@ -170,17 +170,11 @@ Texel PictureSampler::sample(uint32_t picture, double x, double y, const Texture
   const PictureTiles::Place& place = tiles_.place(picture);
   const double left = std::floor(x - 0.5);
   const double top = std::floor(y - 0.5);
-  const auto along_x = catmull_rom(static_cast<float>(x - 0.5 - left));
-  const auto along_y = catmull_rom(static_cast<float>(y - 0.5 - top));
   const auto columns = taps_of(left - 1, place.width, wraps.u);
   const auto rows = taps_of(top - 1, place.height, wraps.v);
-  Texel sum = Texel::Zero();
-  for (int row = 0; row < 4; ++row)
-    for (int column = 0; column < 4; ++column) {
-      const Rgba8 taken = texel(picture, columns[column], rows[row]);
-      sum += along_x[column] * along_y[row] * Texel(taken[0], taken[1], taken[2], taken[3]);
-    }
-  return sum.cwiseMax(0.0f).cwiseMin(255.0f);  // splines overshoot
+  return filtered_by_catmull_rom(x - 0.5 - left, y - 0.5 - top, [&](int row, int column) {
+    return texel(picture, columns[column], rows[row]);
+  });
 }
 
 }  // namespace burnish
