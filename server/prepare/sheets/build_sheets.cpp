@@ -21,6 +21,7 @@
 #include "server/prepare/sheets/page_paint.h"
 #include "server/prepare/sheets/page_sheets.h"
 #include "server/prepare/sheets/parallel_pages.h"
+#include "server/prepare/sheets/picture_sampler.h"
 #include "server/prepare/sheets/triangle_finder.h"
 
 namespace burnish {
@@ -139,9 +140,11 @@ class PageMaker {
     const double native = painted_density(page, paint);
     PageSheetsWish wish{.step = step_, .ask = ask};
     wish.density = std::min(native, std::sqrt(kSheetTexelsMax / page_area(page, step_)));
-    wish.samples_per_side =
-        static_cast<int>(std::clamp(std::ceil(native / wish.density), 1.0, 4.0));
-    wish.source = [&](double) -> Result<BakeSource> { return paint.source(sampler); };
+    // Pictures that do not fit on a sheet have two texels for one of it in places.
+    wish.samples_per_side = wish.density < native ? 2 : 1;
+    wish.source = [&](double density) -> Result<BakeSource> {
+      return paint.source(sampler, density * step_);
+    };
     auto made = make_page_sheets(page, wish);
     RETURN_IF_ERROR(sampler.status());
     return made;

@@ -76,7 +76,7 @@ Result<DecodedPictures> decode_pictures(const SurfaceTextures& textures, const s
     if (is_shown[picture] == 0) continue;
     const Status status = decoder.decode(picture);
     if (!status.is_ok() && !can_be_left_out(status, textures)) return status;
-    decoded.count += !decoded.tiles.place(picture).is_empty();
+    decoded.count += decoded.tiles.has(picture);
   }
   return decoded;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "common/mesh/shown_picture.h"
 #include "common/mesh/srgb.h"
@@ -24,10 +25,25 @@ uint8_t byte_of(float value) {
   return static_cast<uint8_t>(std::lround(value));
 }
 
+/// Returns how long a step on the triangle may be on the picture. It is never too little, and too
+/// much by a factor of 1.42 at most. Zero without an area.
+double stretch_of(const std::array<Vec3d, 3>& places, const std::array<Vec2d, 3>& texels) {
+  const Vec3d a = places[1] - places[0];
+  const Vec3d b = places[2] - places[0];
+  const Vec3d across = b - a * (a.dot(b) / a.squaredNorm());
+  Eigen::Matrix2d flat;
+  flat << a.norm(), a.dot(b) / a.norm(), 0, across.norm();
+  Eigen::Matrix2d shown;
+  shown << texels[1] - texels[0], texels[2] - texels[0];
+  const double stretch = (shown * flat.inverse()).norm();
+  return std::isfinite(stretch) ? stretch : 0;
+}
+
 }  // namespace
 
 PagePaint::PagePaint(const Page& page, const TexturedSurface& surface, const PictureTiles& tiles,
-                     const TriangleFinder& finder) {
+                     const TriangleFinder& finder)
+    : tiles_(tiles) {
   triangles_.reserve(page.triangles.size());
   for (const PageTriangle& triangle : page.triangles) {
     std::array<Vec3i, 3> places;
@@ -41,34 +57,44 @@ PagePaint::PagePaint(const Page& page, const TexturedSurface& surface, const Pic
       ++lost_triangles_;
       continue;
     }
-    triangles_.push_back(painted(corners, *found, surface, tiles));
+    triangles_.push_back(painted(corners, *found, surface));
     count(triangles_.back());
   }
 }
 
 void PagePaint::count(const Painted& painted) {
   if (painted.picture == kNoTexture) return;
-  used_texels_ += area_of(painted.on_picture);
+  used_texels_ += area_of(texels_of(painted));
   painted_area_ += area_of(painted.places);
 }
 
+std::array<Vec2d, 3> PagePaint::texels_of(const Painted& painted) const {
+  const TiledLevel& level = tiles_.levels(painted.picture).front();
+  std::array<Vec2d, 3> texels = painted.on_picture;
+  for (Vec2d& texel : texels) texel = texel.cwiseProduct(Vec2d(level.width, level.height));
+  return texels;
+}
+
+void PagePaint::put_on_picture(Painted& painted, const FoundTriangle& found, uint32_t picture,
+                               const SurfaceTextures& textures) const {
+  painted.picture = picture;
+  const auto corners = corners_on_picture(textures, found.triangle);
+  for (int k = 0; k < 3; ++k) painted.on_picture[k] = corners[(k + found.turn) % 3];
+  painted.texels_per_step = stretch_of(painted.places, texels_of(painted));
+}
+
 PagePaint::Painted PagePaint::painted(const std::array<Vec3d, 3>& places,
-                                      const FoundTriangle& found, const TexturedSurface& surface,
-                                      const PictureTiles& tiles) const {
+                                      const FoundTriangle& found,
+                                      const TexturedSurface& surface) const {
   const SurfaceTextures& textures = surface.textures;
   Painted painted{.places = places};
   const uint32_t number = textures.triangles[found.triangle].material;
   const SurfaceMaterial material =
       number == kNoTexture ? SurfaceMaterial() : textures.materials[number];
+  painted.wraps = material.wraps;
   const uint32_t picture = shown_picture(textures, found.triangle);
-  if (picture != kNoTexture && !tiles.place(picture).is_empty()) {
-    painted.picture = picture;
-    painted.wraps = material.wraps;
-    const auto corners = corners_on_picture(textures, found.triangle);
-    for (int k = 0; k < 3; ++k)
-      painted.on_picture[k] = corners[(k + found.turn) % 3].cwiseProduct(
-          Vec2d(tiles.place(picture).width, tiles.place(picture).height));
-  }
+  if (picture != kNoTexture && tiles_.has(picture))
+    put_on_picture(painted, found, picture, textures);
   painted.tints.fill(painted.picture == kNoTexture ? material.plain : material.factor);
   if (surface.mesh.has_colours())
     for (int k = 0; k < 3; ++k) {
@@ -80,12 +106,13 @@ PagePaint::Painted PagePaint::painted(const std::array<Vec3d, 3>& places,
   return painted;
 }
 
-Texel PagePaint::texel_of(const Painted& painted, const Vec3d& weights, PictureSampler& sampler) {
+Texel PagePaint::texel_of(const Painted& painted, const Drawn& drawn, const Vec3d& weights,
+                          PictureSampler& sampler) {
   Texel texel = Texel::Constant(255);
-  if (painted.picture != kNoTexture) {
+  if (drawn.level != nullptr) {
     Vec2d at = Vec2d::Zero();
-    for (int k = 0; k < 3; ++k) at += weights[k] * painted.on_picture[k];
-    texel = sampler.sample(painted.picture, at.x(), at.y(), painted.wraps);
+    for (int k = 0; k < 3; ++k) at += weights[k] * drawn.corners[k];
+    texel = sampler.sample(*drawn.level, at.x(), at.y(), painted.wraps);
   }
   if (!painted.is_tinted) return texel;
   Vec3f tint = Vec3f::Zero();
@@ -94,11 +121,29 @@ Texel PagePaint::texel_of(const Painted& painted, const Vec3d& weights, PictureS
   return texel;
 }
 
-BakeSource PagePaint::source(PictureSampler& sampler) const {
+/// Takes the finest level that has less than two texels for one of the sheet.
+PagePaint::Drawn PagePaint::drawn(const Painted& painted, double texels_per_step) const {
+  if (painted.picture == kNoTexture) return {};
+  const auto levels = tiles_.levels(painted.picture);
+  double texels = painted.texels_per_step / texels_per_step;
+  size_t level = 0;
+  for (; texels >= 2 && level + 1 < levels.size(); texels /= 2) ++level;
+  Drawn drawn{&levels[level], painted.on_picture};
+  for (Vec2d& corner : drawn.corners)
+    corner = corner.cwiseProduct(Vec2d(levels[level].width, levels[level].height));
+  return drawn;
+}
+
+BakeSource PagePaint::source(PictureSampler& sampler, double texels_per_step) const {
   BakeSource source;
-  for (const Painted& painted : triangles_) source.triangles.push_back(painted.places);
-  source.texel = [this, &sampler](uint32_t triangle, const Vec3d& weights) {
-    return texel_of(triangles_[triangle], weights, sampler);
+  std::vector<Drawn> all_drawn;
+  for (const Painted& painted : triangles_) {
+    source.triangles.push_back(painted.places);
+    all_drawn.push_back(drawn(painted, texels_per_step));
+  }
+  source.texel = [this, &sampler, all_drawn = std::move(all_drawn)](uint32_t triangle,
+                                                                    const Vec3d& weights) {
+    return texel_of(triangles_[triangle], all_drawn[triangle], weights, sampler);
   };
   return source;
 }

@@ -10,7 +10,9 @@
 #include "common/pages/page.h"
 #include "common/sheets/bake_sheet.h"
 #include "common/sheets/chart.h"
+#include "server/prepare/sheets/picture_sampler.h"
 #include "server/prepare/sheets/picture_tiles.h"
+#include "server/prepare/sheets/tiled_level.h"
 #include "server/prepare/sheets/triangle_finder.h"
 
 namespace burnish {
@@ -28,24 +30,37 @@ class PagePaint {
   /// Triangles that the scan does not have at these places: nothing is drawn for them.
   size_t lost_triangles() const { return lost_triangles_; }
 
-  /// Returns the page's triangles with their pictures. For one thread.
-  BakeSource source(PictureSampler& sampler) const;
+  /// Returns the page's triangles with their pictures, as a sheet of this density shows them: where
+  /// it has fewer texels than a picture, with means of the picture's. For one thread.
+  BakeSource source(PictureSampler& sampler, double texels_per_step) const;
 
  private:
   /// A triangle of the page with what its corners show.
   struct Painted {
     std::array<Vec3d, 3> places;      ///< steps
-    std::array<Vec2d, 3> on_picture;  ///< texels
+    std::array<Vec2d, 3> on_picture;  ///< 0 to 1
     uint32_t picture = kNoTexture;
     TextureWraps wraps;
+    double texels_per_step = 0;  ///< of the picture, along the direction with the most
     bool is_tinted = false;
     std::array<Vec3f, 3> tints;  ///< linear light; the colours themselves without a picture
   };
-  static Texel texel_of(const Painted& painted, const Vec3d& weights, PictureSampler& sampler);
+  /// The level of a picture on which a triangle is drawn.
+  struct Drawn {
+    const TiledLevel* level = nullptr;  ///< null without a picture
+    std::array<Vec2d, 3> corners;       ///< texels
+  };
+  static Texel texel_of(const Painted& painted, const Drawn& drawn, const Vec3d& weights,
+                        PictureSampler& sampler);
   Painted painted(const std::array<Vec3d, 3>& places, const FoundTriangle& found,
-                  const TexturedSurface& surface, const PictureTiles& tiles) const;
+                  const TexturedSurface& surface) const;
+  void put_on_picture(Painted& painted, const FoundTriangle& found, uint32_t picture,
+                      const SurfaceTextures& textures) const;
+  std::array<Vec2d, 3> texels_of(const Painted& painted) const;
+  Drawn drawn(const Painted& painted, double texels_per_step) const;
   void count(const Painted& painted);
 
+  const PictureTiles& tiles_;
   std::vector<Painted> triangles_;
   double used_texels_ = 0;
   double painted_area_ = 0;

@@ -85,6 +85,39 @@ TEST_F(BuildSheets, LeaveNothingElseInTheFolder) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), {}), 2);
 }
 
+TEST_F(BuildSheets, APictureThatDoesNotFitOnASheetIsShownByItsMeans) {
+  ball_ = {.quads_per_side = 18, .face_texels = 1000};
+  zip_ = ball_.zip();
+  pages_ = pages_of_archive(zip_, folder_ / "ball.pages");
+  const SheetFile sheets = build();
+  const SheetEntry finest = sheets.sheet_entries(0).front();
+  EXPECT_LT(finest.width * finest.height, 0.25 * report_.used_texels);
+  EXPECT_GE(psnr_of_level(ball_, pages_, sheets, 0), 40);
+}
+
+TEST_F(BuildSheets, ATextureThatRepeatsOftenIsShownByItsMean) {
+  // Each triangle has the picture many times over.
+  std::string text = ball_.obj();
+  std::string repeated;
+  for (size_t at = 0, end = 0; at < text.size(); at = end + 1) {
+    end = text.find('\n', at);
+    std::string line = text.substr(at, end - at);
+    if (line.starts_with("vt ")) {
+      const double u = std::atof(line.c_str() + 3);
+      line = "vt " + std::to_string(u * 1e5) + " " + line.substr(line.rfind(' ') + 1);
+    }
+    repeated += line + '\n';
+  }
+  zip_ = zip_of(repeated, png_of(drawn(64, 64, [](uint32_t x, uint32_t) {
+                  return Rgba8{static_cast<uint8_t>(x < 32 ? 0 : 200), 100, 50, 255};
+                })));
+  pages_ = pages_of_archive(zip_, folder_ / "ball.pages");
+  const Sheet sheet = build().read_sheet(0, 0).value();
+  double sum = 0;
+  for (const Rgba8& texel : sheet.texels) sum += texel[0];
+  EXPECT_NEAR(sum / static_cast<double>(sheet.texels.size()), 100, 10);
+}
+
 TEST_F(BuildSheets, CanBeCancelledInEachPhase) {
   for (const std::string cancelled : {"pictures", "sheets"}) {
     const Progress progress = [&](std::string_view phase, double) { return phase != cancelled; };

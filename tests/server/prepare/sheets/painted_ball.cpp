@@ -108,16 +108,20 @@ std::string PaintedBall::obj() const {
 }
 
 std::vector<uint8_t> PaintedBall::zip(const std::string& png) const {
-  const std::vector<uint8_t> mesh = bytes_of(obj());
+  return zip_of(obj(), png);
+}
+
+std::vector<uint8_t> PaintedBall::zip() const {
+  return zip(png_of(picture()));
+}
+
+std::vector<uint8_t> zip_of(const std::string& obj, const std::string& png) {
+  const std::vector<uint8_t> mesh = bytes_of(obj);
   const std::vector<uint8_t> material = bytes_of("newmtl skin\nmap_Kd skin.png\n");
   const std::vector<uint8_t> skin = bytes_of(png);
   const std::vector<FileToPack> files = {
       {"ball.obj", mesh}, {"ball.mtl", material}, {"skin.png", skin}};
   return pack_archive(files).value();
-}
-
-std::vector<uint8_t> PaintedBall::zip() const {
-  return zip(png_of(picture()));
 }
 
 std::vector<uint8_t> bytes_of(const std::string& text) {

@@ -29,6 +29,9 @@ struct PaintedBall {
   std::vector<uint8_t> zip() const;
 };
 
+/// Returns an archive of an OBJ as "ball.obj", ball.mtl and skin.png.
+std::vector<uint8_t> zip_of(const std::string& obj, const std::string& png);
+
 /// Returns the bytes of a text.
 std::vector<uint8_t> bytes_of(const std::string& text);
 

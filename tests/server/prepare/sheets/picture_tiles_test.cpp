@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "server/prepare/sheets/picture_sampler.h"
 #include "tests/common/picture/encoding.h"
 #include "tests/common/temporary_folder.h"
 #include "tests/server/prepare/sheets/painted_ball.h"
@@ -27,7 +28,7 @@ class PictureTilesOfFile : public testing::Test {
   }
   Rgba8 at(double x, double y, const TextureWraps& wraps = {}) {
     PictureSampler sampler(tiles_);
-    const Texel texel = sampler.sample(0, x + 0.5, y + 0.5, wraps);
+    const Texel texel = sampler.sample(tiles_.levels(0).front(), x + 0.5, y + 0.5, wraps);
     EXPECT_TRUE(sampler.status().is_ok());
     return {static_cast<uint8_t>(texel[0]), static_cast<uint8_t>(texel[1]),
             static_cast<uint8_t>(texel[2]), static_cast<uint8_t>(texel[3])};
@@ -36,7 +37,7 @@ class PictureTilesOfFile : public testing::Test {
     PictureSampler sampler(tiles_);
     for (uint32_t y = 0; y < picture.height; ++y)
       for (uint32_t x = 0; x < picture.width; ++x) {
-        const Texel texel = sampler.sample(0, x + 0.5, y + 0.5, {});
+        const Texel texel = sampler.sample(tiles_.levels(0).front(), x + 0.5, y + 0.5, {});
         for (int i = 0; i < 4; ++i) ASSERT_EQ(texel[i], picture.at(x, y)[i]) << x << ' ' << y;
       }
   }
@@ -61,7 +62,7 @@ TEST_F(PictureTilesOfFile, ALowOneTakesNoMoreThanItsRows) {
   const Picture picture = numbered(300, 2);
   ASSERT_TRUE(decode(png_of(picture)).is_ok());
   expect_all(picture);
-  EXPECT_EQ(PictureTiles::scratch_bytes({300, 2}), 320u * 2 * 4);
+  EXPECT_EQ(tiles_.levels(0)[0].band_bytes(), 320u * 2 * 4);
 }
 
 TEST_F(PictureTilesOfFile, GoesOnBeyondItsBordersAsTheWrapSays) {
@@ -72,6 +73,22 @@ TEST_F(PictureTilesOfFile, GoesOnBeyondItsBordersAsTheWrapSays) {
   EXPECT_EQ(at(103, 52, mirror), picture.at(96, 47));
   const TextureWraps clamp = {TextureWrap::kClamp, TextureWrap::kClamp};
   EXPECT_EQ(at(-40, 70, clamp), picture.at(0, 49));
+}
+
+TEST_F(PictureTilesOfFile, EachLevelHasTheMeansOfTheFinerOne) {
+  const Picture picture = drawn(200, 130, [](uint32_t x, uint32_t y) {
+    return Rgba8{static_cast<uint8_t>(x), static_cast<uint8_t>(y), 7, 255};
+  });
+  ASSERT_TRUE(decode(png_of(picture)).is_ok());
+  const auto levels = tiles_.levels(0);
+  ASSERT_EQ(levels.size(), 8u);
+  EXPECT_EQ(levels.back().width, 1u);
+  EXPECT_EQ(levels.back().height, 1u);
+  PictureSampler sampler(tiles_);
+  const Texel quarter = sampler.sample(levels[2], 20.5, 30.5, {});  // of 80..83 and 120..123
+  EXPECT_NEAR(quarter[0], 81.5, 1);
+  EXPECT_NEAR(quarter[1], 121.5, 1);
+  EXPECT_EQ(quarter[2], 7);
 }
 
 TEST_F(PictureTilesOfFile, TexelsThatDoNotComeAreWhite) {
@@ -89,7 +106,7 @@ TEST_F(PictureTilesOfFile, TexelsThatDoNotComeAreWhite) {
 
 TEST_F(PictureTilesOfFile, AnotherKindOfFileHasNoTexels) {
   EXPECT_EQ(decode("GIF89a").code(), StatusCode::kUnimplemented);
-  EXPECT_TRUE(tiles_.place(0).is_empty());
+  EXPECT_FALSE(tiles_.has(0));
 }
 
 }  // namespace
