@@ -7,9 +7,9 @@
 
 namespace burnish {
 
-static constexpr const char* kLightNames[] = {"Clay",         "Radiance scaling", "Cavity",
-                                              "Raking light", "Ceramic",          "Bronze",
-                                              "Slopes"};  // as LightKind
+static constexpr const char* kLightNames[] = {
+    "Clay",    "Radiance scaling", "Cavity", "Raking light",
+    "Ceramic", "Bronze",           "Slopes", "Unlit"};  // as LightKind
 static constexpr const char* kLightHints[] = {
     "A lamp, the sky and a weak second lamp.",
     "Brightens what bends outwards and darkens what bends inwards.",
@@ -17,7 +17,8 @@ static constexpr const char* kLightHints[] = {
     "One hard lamp. Low over the surface it shows the finest relief.",
     "White glaze with bright windows.",
     "Dark metal.",
-    "Each direction of a slope has its own tone."};  // as LightKind
+    "Each direction of a slope has its own tone.",
+    "The colours alone, without light."};  // as LightKind
 
 static void draw_kind(Lighting& lighting) {
   ImGui::SetNextItemWidth(-1);

@@ -10,8 +10,8 @@ uniform int light_kind;  // as LightKind
 uniform vec3 to_lamp;
 uniform float specular;
 
-const vec3 kBaseOfKind[7] = vec3[7](kClayBase, kClayBase, kClayBase, kClayBase, kCeramicBase,
-    kBronzeBase, kSlopesBase);
+const vec3 kBaseOfKind[8] = vec3[8](kClayBase, kClayBase, kClayBase, kClayBase, kCeramicBase,
+    kBronzeBase, kSlopesBase, kClayBase);
 
 struct Lit {
   vec3 colour;
@@ -71,6 +71,7 @@ Lit light_of(vec3 base, vec3 n, vec3 seen, vec3 to_eye, float ridge) {
   if (light_kind == 4) return ceramic(base, seen);
   if (light_kind == 5) return bronze(base, seen);
   if (light_kind == 6) return slopes(base, seen);
+  if (light_kind == 7) return Lit(base, 1.0);
   return lamp(base, n, to_eye, light_kind == 0 ? ridge : 0.0);
 }
 )";

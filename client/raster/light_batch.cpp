@@ -143,6 +143,11 @@ void light_batch(const LightTerms& terms, ShadeBatch& batch) {
           terms, batch, [](const LightTerms& t, Surface at) __attribute__((always_inline)) {
             return slopes(t, at);
           });
+    case LightKind::kUnlit:
+      return light_each(
+          terms, batch, [](const LightTerms&, Surface at) __attribute__((always_inline)) {
+            return Lit{at.base, 1};
+          });
     default:
       return light_each(
           terms, batch, [](const LightTerms& t, Surface at) __attribute__((always_inline)) {

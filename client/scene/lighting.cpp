@@ -11,7 +11,8 @@ namespace burnish {
 
 static constexpr double kRadians = std::numbers::pi / 180;
 static constexpr std::array<std::string_view, kLightKinds> kNames = {
-    "clay", "radiance", "cavity", "raking", "ceramic", "bronze", "slopes"};  // as LightKind
+    "clay",    "radiance", "cavity", "raking",
+    "ceramic", "bronze",   "slopes", "unlit"};  // as LightKind
 
 static Status check_within(const char* name, double value, double low, double high) {
   if (value >= low && value <= high) return Status::ok();

@@ -18,9 +18,10 @@ enum class LightKind {
   kCeramic,   ///< matcap: white glaze with bright windows
   kBronze,    ///< matcap: dark metal
   kSlopes,    ///< matcap: each direction of a slope has its own tone
+  kUnlit,     ///< the colour of the surface alone
 };
 
-inline constexpr int kLightKinds = 7;
+inline constexpr int kLightKinds = 8;
 inline constexpr double kCavityMax = 2.5;
 inline constexpr double kRadianceMax = 2;
 

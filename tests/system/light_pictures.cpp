@@ -29,7 +29,7 @@ void draw_all(const std::filesystem::path& out) {
   const auto tablet = generate_scan({.kind = "tablet", .vertices = 400'000});
   BURNISH_CHECK(tablet.is_ok(), "the tablet is generated");
   std::vector<Image> tiles;
-  for (int kind = 0; kind < kLightKinds; ++kind)
+  for (int kind = 0; kind < static_cast<int>(LightKind::kUnlit); ++kind)  // it has no colours
     tiles.push_back(draw(*tablet, {.kind = static_cast<LightKind>(kind)}));
   tiles.push_back(draw(*tablet, {.occlusion = 1}));
   BURNISH_CHECK(write_png(in_rows(tiles, 4), out / "lights.png").is_ok(), "the sheet is written");

@@ -17,6 +17,7 @@ const kLights: (readonly [Light, string, string])[] = [
   ["ceramic", "Ceramic", "White glaze with bright windows."],
   ["bronze", "Bronze", "Dark metal."],
   ["slopes", "Slopes", "Each direction of a slope has its own tone."],
+  ["unlit", "Unlit", "The colours alone, without light."],
 ];
 const kWithLamp: Light[] = ["clay", "radiance", "cavity", "raking"];
 const kRadianceMax = 2;

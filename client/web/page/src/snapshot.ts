@@ -150,7 +150,7 @@ export interface Brush {
 export type Axis = "x" | "y" | "z";
 export type UpAxis = Axis | "-x" | "-y" | "-z";
 export type ColourBy = "clay" | "beta" | "curvature" | "displacement" | "scan";
-export type Light = "clay" | "radiance" | "cavity" | "raking" | "ceramic" | "bronze" | "slopes";
+export type Light = "clay" | "radiance" | "cavity" | "raking" | "ceramic" | "bronze" | "slopes" | "unlit";
 export type Role = "viewer" | "editor" | "owner";
 export type Tool = "paint" | "look" | "measure";
 export type Lasso = "off" | "protect" | "release";
