@@ -15,6 +15,7 @@
 #include "common/measure/section.h"
 #include "common/service/page_values.h"
 #include "common/service/scan_pages.h"
+#include "common/service/scan_sheets.h"
 #include "common/service/session_history.h"
 #include "common/service/session_info.h"
 #include "common/service/session_people.h"
@@ -120,6 +121,19 @@ class Connection {
   Result<SessionState> state(const std::string& session);
   /// One value per cell, in the Morton order of the cells.
   Result<std::vector<float>> cells(const std::string& session, CellValue value);
+
+  /// Has the scan's sheets made where they are missing; a scan without pictures has none.
+  /// Fails: as the server says; unimplemented (an older server); cancelled.
+  Result<SheetsDescription> describe_sheets(const std::string& scan, const Progress& progress);
+
+  struct SheetTaker {
+    std::function<bool(PagePart)> block;
+    std::function<bool(PagePart)> charts;  ///< the number is the page's
+    std::function<bool(SheetPart)> sheet;
+  };
+  /// Fetches blocks, then charts, then sheets, in the order of the wish. The bytes are not checked.
+  /// Needs: at most kSheetPartsPerFetchMax parts. Fails: as the server says; cancelled.
+  Status fetch_sheets(const SheetsWish& wish, const SheetTaker& take);
 
   /// The value of the cell of each vertex, for pages of the session's scan, in the given order.
   /// Fails: as the server says; data_loss when it sends other pages.

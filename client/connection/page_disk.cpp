@@ -160,7 +160,7 @@ Result<std::vector<uint8_t>> PageDisk::find(PageItem item) {
 // The item comes before its record: a record without its item does not arise.
 void PageDisk::keep(PageItem item, std::span<const uint8_t> bytes) {
   const std::lock_guard lock(mutex_);
-  if (pages_ < 0 || places_.contains(item) || !is_whole(item, bytes)) return;
+  if (pages_ < 0 || item.is_of_sheets() || places_.contains(item) || !is_whole(item, bytes)) return;
   if (!room_->take(bytes.size() + sizeof(IndexRecord))) return;
   IndexRecord record{.kind = static_cast<uint32_t>(item.kind),
                      .number = item.number,

@@ -36,7 +36,8 @@ class PageDisk {
 
   /// Fails: not_found; data_loss for a damaged item, which is forgotten.
   Result<std::vector<uint8_t>> find(PageItem item);
-  /// Keeps nothing that is damaged, that is there already, or for which there is no room.
+  /// Keeps nothing that is damaged, that is there already, or for which there is no room. Keeps no
+  /// items of sheets.
   void keep(PageItem item, std::span<const uint8_t> bytes);
 
  private:

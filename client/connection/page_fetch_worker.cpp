@@ -6,6 +6,7 @@
 #include "client/connection/channel.h"
 #include "client/connection/connection_state.h"
 #include "client/connection/page_calls.h"
+#include "client/connection/sheet_calls.h"
 
 namespace burnish {
 
@@ -105,6 +106,13 @@ void PageFetcher::Worker::fetch(const std::vector<PageItem>& items) {
 Status PageFetcher::Worker::listen(Call call, const std::vector<PageItem>& items,
                                    grpc::ClientContext& context) {
   ASSIGN_OR_RETURN(const auto reached, reach());
+  set_node(context, reached->server.node);
+  return items.front().is_of_sheets() ? listen_for_sheets(call, items, context, *reached)
+                                      : listen_for_pages(call, items, context, *reached);
+}
+
+Status PageFetcher::Worker::listen_for_pages(Call call, const std::vector<PageItem>& items,
+                                             grpc::ClientContext& context, Reached& reached) {
   PagesWish wish{.scan = scan_, .blocks = {}, .pages = {}};
   for (const PageItem item : items)
     (item.kind == PageItem::Kind::kPage ? wish.pages : wish.blocks).push_back(item.number);
@@ -117,8 +125,33 @@ Status PageFetcher::Worker::listen(Call call, const std::vector<PageItem>& items
           [&](PagePart part) {
             return on_part(call, PageItem::of_page(part.number), std::move(part.bytes));
           }};
-  set_node(context, reached->server.node);
-  return fetch_parts(reached->server.address, *reached->library, context, wish, taker);
+  return fetch_parts(reached.server.address, *reached.library, context, wish, taker);
+}
+
+Status PageFetcher::Worker::listen_for_sheets(Call call, const std::vector<PageItem>& items,
+                                              grpc::ClientContext& context, Reached& reached) {
+  SheetsWish wish{.scan = scan_, .blocks = {}, .charts = {}, .sheets = {}};
+  for (const PageItem item : items) {
+    if (item.kind == PageItem::Kind::kSheetBlock) wish.blocks.push_back(item.number);
+    if (item.kind == PageItem::Kind::kCharts) wish.charts.push_back(item.number);
+    if (item.kind == PageItem::Kind::kSheet) wish.sheets.push_back({item.number, item.halving});
+  }
+  const Connection::SheetTaker taker{
+      .block =
+          [&](PagePart part) {
+            return on_part(call, PageItem::of_sheet_block(part.number), std::move(part.bytes));
+          },
+      .charts =
+          [&](PagePart part) {
+            return on_part(call, PageItem::of_charts(part.number), std::move(part.bytes));
+          },
+      .sheet =
+          [&](SheetPart part) {
+            const auto halving = static_cast<uint8_t>(part.number.halving);  // of those asked for
+            return on_part(call, PageItem::of_sheet(part.number.page, halving),
+                           std::move(part.bytes));
+          }};
+  return fetch_sheet_parts(reached.server.address, *reached.library, context, wish, taker);
 }
 
 bool PageFetcher::Worker::on_part(Call call, PageItem item, std::vector<uint8_t> bytes) {

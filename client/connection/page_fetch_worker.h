@@ -43,6 +43,10 @@ class PageFetcher::Worker {
   std::vector<PageItem> look_on_disk(const std::vector<PageItem>& batch);
   void fetch(const std::vector<PageItem>& items);
   Status listen(Call call, const std::vector<PageItem>& items, grpc::ClientContext& context);
+  Status listen_for_pages(Call call, const std::vector<PageItem>& items,
+                          grpc::ClientContext& context, Reached& reached);
+  Status listen_for_sheets(Call call, const std::vector<PageItem>& items,
+                           grpc::ClientContext& context, Reached& reached);
   bool on_part(Call call, PageItem item, std::vector<uint8_t> bytes);
   void end(Call call, const Status& why);
   void tell() const;

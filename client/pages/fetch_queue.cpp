@@ -9,7 +9,8 @@ namespace burnish {
 static constexpr uint64_t kUsualPartBytes = 10'000;  // until some have come
 
 void FetchQueue::ask(PageItem item) {
-  if (open_.insert(item).second && !under_way_.contains(item)) waiting_.push_back(item);
+  if (open_.insert(item).second && !under_way_.contains(item))
+    (item.is_of_sheets() ? waiting_sheets_ : waiting_).push_back(item);
 }
 
 std::vector<PageItem> FetchQueue::take_batch() {
@@ -18,12 +19,18 @@ std::vector<PageItem> FetchQueue::take_batch() {
   const uint64_t parts_max =
       std::clamp(kFetchBytesMax / part_bytes, uint64_t{1}, uint64_t{kPagePartsPerFetchMax});
   std::vector<PageItem> batch;
-  while (!waiting_.empty() && batch.size() < parts_max) {
-    const PageItem item = waiting_.front();
-    waiting_.pop_front();
+  fill(batch, waiting_, parts_max);
+  if (batch.empty()) fill(batch, waiting_sheets_, parts_max);
+  return batch;
+}
+
+void FetchQueue::fill(std::vector<PageItem>& batch, std::deque<PageItem>& from,
+                      uint64_t parts_max) {
+  while (!from.empty() && batch.size() < parts_max) {
+    const PageItem item = from.front();
+    from.pop_front();
     if (is_open(item) && under_way_.insert(item).second) batch.push_back(item);
   }
-  return batch;
 }
 
 bool FetchQueue::come(PageItem item, uint64_t bytes) {
@@ -42,9 +49,11 @@ std::vector<PageItem> FetchQueue::end(const std::vector<PageItem>& batch) {
 
 std::vector<PageItem> FetchQueue::give_up_waiting() {
   std::vector<PageItem> left;
-  for (const PageItem item : waiting_)
-    if (!under_way_.contains(item) && open_.erase(item) > 0) left.push_back(item);
-  waiting_.clear();
+  for (std::deque<PageItem>* waiting : {&waiting_, &waiting_sheets_}) {
+    for (const PageItem item : *waiting)
+      if (!under_way_.contains(item) && open_.erase(item) > 0) left.push_back(item);
+    waiting->clear();
+  }
   return left;
 }
 

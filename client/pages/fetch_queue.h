@@ -20,7 +20,8 @@ class FetchQueue {
   void cancel(PageItem item) { open_.erase(item); }
 
   /// Takes the items of the next call, in the order asked: at most kPagePartsPerFetchMax, and about
-  /// kFetchBytesMax by the mean of those that came.
+  /// kFetchBytesMax by the mean of those that came. Items of sheets come once no others wait, in
+  /// calls of their own.
   std::vector<PageItem> take_batch();
 
   /// A call has brought an item. Returns whether somebody waits for it.
@@ -33,8 +34,11 @@ class FetchQueue {
   std::vector<PageItem> give_up_waiting();
 
  private:
-  std::deque<PageItem> waiting_;  // and some that were cancelled
-  std::set<PageItem> open_;       // somebody waits for them
+  void fill(std::vector<PageItem>& batch, std::deque<PageItem>& from, uint64_t parts_max);
+
+  std::deque<PageItem> waiting_;         // and some that were cancelled
+  std::deque<PageItem> waiting_sheets_;  // likewise
+  std::set<PageItem> open_;              // somebody waits for them
   std::set<PageItem> under_way_;
   uint64_t parts_ = 0;  // that came
   uint64_t bytes_ = 0;

@@ -7,7 +7,9 @@
 namespace burnish {
 
 static std::string name_of_item(PageItem item) {
-  return (item.kind == PageItem::Kind::kPage ? "page " : "block ") + std::to_string(item.number);
+  static constexpr const char* kNames[] = {"block ", "page ", "block of sheets ", "charts of page ",
+                                           "sheet of page "};  // as Kind
+  return kNames[static_cast<size_t>(item.kind)] + std::to_string(item.number);
 }
 
 void PageDelivery::ask(std::span<const PageItem> items) {

@@ -17,11 +17,13 @@ struct GivenUpItem {
 };
 
 /// What failed to come or came damaged, and when it may be asked for again: after a pause that
-/// doubles, kTries times in all. Then it is given up, and told once.
+/// doubles, kTries times in all. Then it is given up, and told once. Sheets are tried less often,
+/// for a picture is whole without them.
 class PageFailures {
  public:
   using Time = std::chrono::steady_clock::time_point;
   static constexpr int kTries = 5;
+  static constexpr int kSheetTries = 2;
   static constexpr std::chrono::milliseconds kFirstPause{500};
 
   void on_failure(PageItem item, const Status& why, Time now);

@@ -7,15 +7,22 @@
 
 namespace burnish {
 
-/// Something that a client asks a server for: a page, or a block of the directory.
+/// Something that a client asks a server for: a page, or a block of the directory; or of the sheets
+/// (common/sheets), a block of their directory, the charts of a page, or a sheet of it.
 struct PageItem {
-  enum class Kind : uint8_t { kBlock, kPage };
+  enum class Kind : uint8_t { kBlock, kPage, kSheetBlock, kCharts, kSheet };
 
   Kind kind = Kind::kPage;
   uint32_t number = 0;  ///< of the page or the block
+  uint8_t halving = 0;  ///< of a sheet: 0 is the finest of the page
 
   static PageItem of_page(PageId page) { return {Kind::kPage, page}; }
   static PageItem of_block(uint32_t block) { return {Kind::kBlock, block}; }
+  static PageItem of_sheet_block(uint32_t block) { return {Kind::kSheetBlock, block}; }
+  static PageItem of_charts(PageId page) { return {Kind::kCharts, page}; }
+  static PageItem of_sheet(PageId page, uint8_t halving) { return {Kind::kSheet, page, halving}; }
+  /// Returns whether the item is one of the sheets' file.
+  bool is_of_sheets() const { return kind >= Kind::kSheetBlock; }
   auto operator<=>(const PageItem&) const = default;
 };
 

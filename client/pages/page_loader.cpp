@@ -45,7 +45,8 @@ CutQuestion PageLoader::cut_question(const PictureQuestion& question) const {
     asked.targets = moving_surface_targets();
     if (question.frame_vertices_max > 0) asked.budget.vertices = question.frame_vertices_max;
   } else {
-    asked.targets = wants_full_ ? full_targets(is_software_) : prompt_targets(is_software_);
+    asked.targets = wants_full_ && !question.rests_early ? full_targets(is_software_)
+                                                         : prompt_targets(is_software_);
   }
   asked.at_once = question.moving_triangles_max > 0;  // each step would be a slow picture
   if (question.moving_triangles_max > 0 && !is_at_rest_)

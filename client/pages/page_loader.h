@@ -29,6 +29,8 @@ struct PictureQuestion {
   std::function<bool(PageId)> has_values;
   /// The most triangles of a picture that others follow at once (PicturePace); 0: any number.
   uint64_t moving_triangles_max = 0;
+  /// A picture at rest stays as fine as one whose camera moves: a texture has its detail.
+  bool rests_early = false;
   LinkSpeed link;
 };
 
@@ -80,6 +82,15 @@ class PageLoader {
   CutStatus status() const;
   /// Returns whether another look() with the same question would change nothing.
   bool is_settled() const;
+
+  /// Returns whether the last picture shows all pages that it wants at once.
+  bool is_prompt() const { return wants_full_ || (needs_.open_in_view == 0 && !lacks_values_); }
+  /// Returns whether view and surface are those of the picture before the last.
+  bool is_at_rest() const { return is_at_rest_; }
+
+  // Those of the last look().
+  const PageView& view() const { return view_; }
+  const FrameBounds& frame() const { return frame_; }
 
   const KnownPages& known() const { return known_; }
   const PageCache& cache() const { return cache_; }

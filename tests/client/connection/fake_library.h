@@ -14,7 +14,8 @@
 
 namespace burnish {
 
-/// Serves Library.FetchPages in this process, with made pages and made-up blocks.
+/// Serves Library.FetchPages and FetchSheets in this process, with made pages and made-up blocks
+/// and sheets.
 class FakeLibrary final : public v1::Library::Service {
  public:
   /// Faults. A test may change them at any time.
@@ -49,10 +50,16 @@ class FakeLibrary final : public v1::Library::Service {
   using Writer = grpc::ServerWriter<v1::FetchPagesEvent>;
   grpc::Status FetchPages(grpc::ServerContext* context, const v1::FetchPagesRequest* request,
                           Writer* writer) override;
+  using SheetWriter = grpc::ServerWriter<v1::FetchSheetsEvent>;
+  grpc::Status FetchSheets(grpc::ServerContext* context, const v1::FetchSheetsRequest* request,
+                           SheetWriter* writer) override;
   grpc::Status ListScans(grpc::ServerContext* context, const v1::ListScansRequest* request,
                          v1::ListScansResponse* response) override;
 
  private:
+  template <typename Event>
+  grpc::Status send(grpc::ServerContext& context, const std::string& scan,
+                    std::vector<PageItem> items, grpc::ServerWriter<Event>& writer);
   bool wait_while_held(grpc::ServerContext& context);
 
   mutable std::mutex mutex_;

@@ -69,6 +69,15 @@ TEST_F(PageDisks, KeepItemsFromOneRunToTheNext) {
   }
 }
 
+TEST_F(PageDisks, KeepNoItemsOfSheets) {
+  PageDisk disk(path_, kScan);
+  for (const PageItem item :
+       {PageItem::of_sheet_block(3), PageItem::of_charts(3), PageItem::of_sheet(3, 0)}) {
+    disk.keep(item, FakeLibrary::bytes_of(page_));
+    EXPECT_EQ(disk.find(item).status().code(), StatusCode::kNotFound);
+  }
+}
+
 TEST_F(PageDisks, KnowNothingOfAnotherScan) {
   fill(kScan, 5);
   PageDisk other(path_, kScan + 1);

@@ -87,6 +87,28 @@ TEST_F(FetchedPages, ComeInTheOrderAsked) {
   EXPECT_EQ(server_.seen().scan, "scan");
 }
 
+TEST_F(FetchedPages, SheetsComeAfterPagesByACallOfTheirOwn) {
+  server_.set_faults({.holds = true});
+  fetcher_->ask(page_items(0, 300));
+  ASSERT_TRUE(until_called(2));
+  const std::vector<PageItem> sheets = {PageItem::of_sheet_block(1), PageItem::of_charts(4),
+                                        PageItem::of_sheet(4, 2), PageItem::of_sheet(4, 0)};
+  fetcher_->ask(sheets);
+  server_.set_faults({});
+  ASSERT_TRUE(until_come(304));
+  for (const PageItem item : sheets) expect_good(item);
+  EXPECT_EQ(server_.seen().calls.back(), sheets);
+}
+
+TEST_F(FetchedPages, SheetsThatTheServerLeavesOutFail) {
+  server_.set_faults({.left_out = {4}});
+  const std::vector<PageItem> sheets = {PageItem::of_charts(3), PageItem::of_sheet(4, 2)};
+  fetcher_->ask(sheets);
+  ASSERT_TRUE(until_come(2));
+  expect_good(sheets[0]);
+  EXPECT_EQ(code_of(sheets[1]), StatusCode::kDataLoss);
+}
+
 TEST_F(FetchedPages, AreAskedForByTwoCallsAtMostAndFewAtOnce) {
   server_.set_faults({.holds = true});
   fetcher_->ask(page_items(0, 300));

@@ -30,6 +30,18 @@ TEST(FetchQueue, HandsOutItemsInTheOrderAsked) {
   EXPECT_THAT(queue.take_batch(), IsEmpty());
 }
 
+TEST(FetchQueue, SheetsComeAfterAllPagesAndInCallsOfTheirOwn) {
+  FetchQueue queue;
+  const PageItem charts = PageItem::of_charts(7), sheet = PageItem::of_sheet(7, 2);
+  queue.ask(sheet);
+  queue.ask(charts);
+  queue.ask(page(3));
+  EXPECT_THAT(queue.take_batch(), ElementsAre(page(3)));
+  EXPECT_THAT(queue.take_batch(), ElementsAre(sheet, charts));
+  queue.ask(PageItem::of_sheet(7, 1));
+  EXPECT_THAT(queue.give_up_waiting(), ElementsAre(PageItem::of_sheet(7, 1)));
+}
+
 TEST(FetchQueue, TakesFewItemsAtOnceWhereTheyAreLarge) {
   FetchQueue queue;
   ask(queue, 0, 1000);

@@ -48,5 +48,15 @@ TEST(PageFailures, BlocksAndPagesOfOneNumberAreTwoItems) {
   EXPECT_TRUE(failures.may_ask(PageItem::of_block(3), {}));
 }
 
+TEST(PageFailures, ASheetIsTriedTwice) {
+  PageFailures failures;
+  const PageItem sheet = PageItem::of_sheet(7, 1);
+  failures.on_failure(sheet, data_loss("bad checksum"), {});
+  EXPECT_FALSE(failures.is_given_up(sheet));
+  failures.on_failure(sheet, data_loss("bad checksum"), {});
+  EXPECT_TRUE(failures.is_given_up(sheet));
+  EXPECT_FALSE(failures.is_given_up(PageItem::of_sheet(7, 0)));
+}
+
 }  // namespace
 }  // namespace burnish

@@ -25,6 +25,7 @@ void PageFlight::picture(const Camera& camera) {
   question.frame_vertices_max = frame_vertices_max;
   question.server_vertices_max = server_vertices_max;
   question.moving_triangles_max = moving_triangles_max;
+  question.rests_early = rests_early;
   question.has_values = has_values;
   question.link = options_.link.speed;
   loader_.look(question, now_);

@@ -43,6 +43,7 @@ class PageFlight {
   uint64_t server_vertices_max = 0;
   uint64_t moving_triangles_max = 0;
   std::function<bool(PageId)> has_values;
+  bool rests_early = false;
 
  private:
   void carry_out();

@@ -41,6 +41,18 @@ TEST(PageLoader, ALinkThatDeliversLeadsToFullDetail) {
   EXPECT_EQ(flight.loader().status().bytes_left, 0u);
 }
 
+TEST(PageLoader, APictureThatRestsEarlyStaysAsFineAsAMovingOne) {
+  PageFlight flight(loaded_scan(), {});
+  flight.rests_early = true;
+  flight.settle(kWhole);
+  const uint64_t early = flight.cut().triangles;
+  EXPECT_TRUE(flight.loader().is_settled());
+  EXPECT_TRUE(flight.loader().is_prompt());
+  flight.rests_early = false;
+  flight.settle(kWhole);
+  EXPECT_GT(flight.cut().triangles, early);
+}
+
 TEST(PageLoader, TheFirstPictureComesAfterTwoRoundTrips) {
   PageFlight flight(loaded_scan(), {});
   const auto begin = flight.now();
