@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "client/raster/shade_math.h"
+#include "client/raster/texel_colour.h"
 
 namespace burnish {
 namespace {
@@ -123,14 +124,45 @@ ShadeVector blue_to_red(float signed_part) {
   return mixed(shade::kPlain, part < 0 ? shade::kBlue : shade::kRed, std::abs(part));
 }
 
-ShadeVector scan_colour(const SeenTriangle& triangle, const Weights& weights) {
-  const std::span<const Rgba8> colours = triangle.page.colours(triangle.of_original);
+ShadeVector colour_between(const SeenTriangle& triangle, const Weights& weights,
+                           std::span<const Rgba8> colours) {
   if (colours.empty()) return {0, 0, 0};
   const auto part = [&](int channel) {
     return between(weights, [&](int i) { return float(colours[triangle.corners[i]][channel]); }) /
            255;
   };
   return linear({part(0), part(1), part(2)});
+}
+
+// Steps to the pixels beside it say how many texels a pixel has.
+ShadeVector texture_colour(const SeenTriangle& triangle, uint32_t number, const Weights& weights,
+                           float x, float y) {
+  const PageTexture& texture = *triangle.page.texture;
+  const TextureChart& chart = texture.charts[texture.chart_of_triangle[number]];
+  std::array<TexelPoint, 3> of_corner;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3f& at = triangle.page.original.positions[triangle.corners[i]];
+    of_corner[i] = {times(chart.u, at), times(chart.v, at)};
+  }
+  const auto place = [&](const Weights& parts) {
+    return TexelPoint{between(parts, [&](int i) { return of_corner[i].x; }),
+                      between(parts, [&](int i) { return of_corner[i].y; })};
+  };
+  return linear(texel_colour(texture, place(weights), place(weights_at(triangle, x + 1, y)),
+                             place(weights_at(triangle, x, y + 1))));
+}
+
+// Where an edit changes a page's colours, its texels change by as much.
+ShadeVector scan_colour(const SeenTriangle& triangle, uint32_t number, const Weights& weights,
+                        float x, float y) {
+  const RasterPage& page = triangle.page;
+  const std::span<const Rgba8> shown = page.colours(triangle.of_original);
+  if (page.texture == nullptr) return colour_between(triangle, weights, shown);
+  const ShadeVector colour = texture_colour(triangle, number, weights, x, y);
+  if (shown.data() == page.original_colours.data()) return colour;
+  const ShadeVector changed = colour + colour_between(triangle, weights, shown) -
+                              colour_between(triangle, weights, page.original_colours);
+  return {greater(changed.x, 0), greater(changed.y, 0), greater(changed.z, 0)};
 }
 
 // As `overlay` of the vertex shader: sRGB times the fourth.
@@ -159,7 +191,7 @@ void cover_with_marks(const ShadedScene& scene, const SeenTriangle& triangle,
 }
 
 ShadeVector base_colour(const ShadedScene& scene, const SeenTriangle& triangle,
-                        const Weights& weights, const Fragment& fragment) {
+                        const Weights& weights, const Fragment& fragment, float x, float y) {
   ShadeVector base = scene.base;
   const bool is_marked = !triangle.page.marks.empty();
   if (scene.colouring == Colouring::kCells) {
@@ -173,7 +205,8 @@ ShadeVector base_colour(const ShadedScene& scene, const SeenTriangle& triangle,
                                         return triangle.page.along_normal[triangle.corners[i]];
                                       }) / scene.displacement_range);
   }
-  if (scene.colouring == Colouring::kScan) base = scan_colour(triangle, weights);
+  if (scene.colouring == Colouring::kScan)
+    base = scan_colour(triangle, triangle_of_id(fragment.id), weights, x, y);
   if (is_marked) cover_with_marks(scene, triangle, weights, fragment, base);
   return base;
 }
@@ -279,7 +312,7 @@ void add_fragment(const ShadedScene& scene, const SamplePlaces& places, const Fr
   const Weights weights = within(weights_at(triangle, x, y));
   put_eye(scene.projection, x, y, batch, i);
   put_normal(scene, triangle, weights, batch, i);
-  const ShadeVector base = base_colour(scene, triangle, weights, fragment);
+  const ShadeVector base = base_colour(scene, triangle, weights, fragment, x, y);
   batch.base_r[i] = base.x;
   batch.base_g[i] = base.y;
   batch.base_b[i] = base.z;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -8,6 +9,7 @@
 
 #include "client/scene/page_mesh.h"
 #include "client/scene/page_renderer.h"
+#include "client/scene/page_texture.h"
 
 namespace burnish {
 
@@ -40,6 +42,7 @@ struct RasterPage {
   std::vector<VertexMark> marks;
   std::vector<Rgba8> original_colours;
   std::vector<Rgba8> moved_colours;
+  std::shared_ptr<const PageTexture> texture;  // null: there is none
 
   size_t vertices() const { return original.positions.size(); }
   const RasterSurface& surface(bool of_original) const {

@@ -87,6 +87,14 @@ Status RasterPageRenderer::colour_page(uint32_t slot, std::span<const Rgba8> col
   });
 }
 
+Status RasterPageRenderer::texture_page(uint32_t slot, std::shared_ptr<const PageTexture> texture) {
+  BURNISH_CHECK(slot < pages_.size(), "slots are reserved");
+  BURNISH_CHECK(!texture || texture->chart_of_triangle.size() == pages_[slot].triangles.size(),
+                "one chart number per triangle of the page in the slot");
+  pages_[slot].texture = std::move(texture);
+  return Status::ok();
+}
+
 void RasterPageRenderer::check_patches(std::span<const PatchRange> patches) const {
   for (const PatchRange& patch : patches) {
     BURNISH_CHECK(patch.slot < pages_.size(), "slots are reserved");

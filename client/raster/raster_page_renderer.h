@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "client/raster/raster_page.h"
@@ -10,6 +11,9 @@
 #include "client/scene/page_renderer.h"
 
 namespace burnish {
+
+/// Limit of the textures that a client keeps for this renderer.
+inline constexpr uint64_t kTextureBytesMax = 256'000'000;
 
 /// One sample a pixel is for pictures of a moving camera; four give smooth edges.
 enum class RasterSampling { kOne, kFour };
@@ -29,6 +33,8 @@ class RasterPageRenderer : public PageRenderer {
                    std::span<const Vec3f> normals, std::span<const float> ridges) override;
   Status mark_page(uint32_t slot, std::span<const VertexMark> marks) override;
   Status colour_page(uint32_t slot, std::span<const Rgba8> colours) override;
+  uint64_t texture_bytes_max() const override { return kTextureBytesMax; }
+  Status texture_page(uint32_t slot, std::shared_ptr<const PageTexture> texture) override;
   Status draw(const Camera& camera, const ImageSize& size, const DrawStyle& style,
               std::span<const PatchRange> patches) override;
   Result<Image> read_pixels() override;

@@ -46,6 +46,12 @@ Status NullPageRenderer::colour_page(uint32_t slot, std::span<const Rgba8> colou
   return Status::ok();
 }
 
+Status NullPageRenderer::texture_page(uint32_t slot, std::shared_ptr<const PageTexture> texture) {
+  BURNISH_CHECK(slot < slots_.size(), "slots are reserved");
+  slots_[slot].texture = std::move(texture);
+  return Status::ok();
+}
+
 Status NullPageRenderer::draw(const Camera& camera, const ImageSize& size, const DrawStyle& style,
                               std::span<const PatchRange> patches) {
   RETURN_IF_ERROR(check_image_size(size));

@@ -17,6 +17,7 @@ class NullPageRenderer : public PageRenderer {
                    std::span<const Vec3f> normals, std::span<const float> ridges) override;
   Status mark_page(uint32_t slot, std::span<const VertexMark> marks) override;
   Status colour_page(uint32_t slot, std::span<const Rgba8> colours) override;
+  Status texture_page(uint32_t slot, std::shared_ptr<const PageTexture> texture) override;
   Status draw(const Camera& camera, const ImageSize& size, const DrawStyle& style,
               std::span<const PatchRange> patches) override;
   Result<Image> read_pixels() override;
@@ -34,6 +35,7 @@ class NullPageRenderer : public PageRenderer {
   std::span<const float> ridges(uint32_t slot) const { return slots_[slot].ridges; }
   std::span<const VertexMark> marks(uint32_t slot) const { return slots_[slot].marks; }
   std::span<const Rgba8> colours(uint32_t slot) const { return slots_[slot].colours; }
+  const PageTexture* texture(uint32_t slot) const { return slots_[slot].texture.get(); }
 
  private:
   struct Slot {
@@ -43,6 +45,7 @@ class NullPageRenderer : public PageRenderer {
     std::vector<float> ridges;   // displaced
     std::vector<VertexMark> marks;
     std::vector<Rgba8> colours;  // displaced
+    std::shared_ptr<const PageTexture> texture;
   };
   Slot& filled(uint32_t slot, size_t vertices);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,6 +11,7 @@
 #include "client/scene/image.h"
 #include "client/scene/page_mesh.h"
 #include "client/scene/page_space.h"
+#include "client/scene/page_texture.h"
 #include "common/base/status.h"
 
 namespace burnish {
@@ -73,6 +75,17 @@ class PageRenderer {
   /// Gives the displaced surface of a page other colours than its original has. Shapes: one per
   /// vertex of the page in the slot.
   virtual Status colour_page(uint32_t slot, std::span<const Rgba8> colours) = 0;
+
+  /// Returns how many bytes of textures have room; 0: texture_page() has no effect.
+  virtual uint64_t texture_bytes_max() const { return 0; }
+
+  /// Gives a page a texture, which pictures show in place of its vertices' colours; null takes it
+  /// away. Where colour_page() has changed a colour, the texels change by as much in linear light.
+  /// Needs: the page in the slot has one triangle per chart number. Fails: resource_exhausted; then
+  /// the page has no texture.
+  virtual Status texture_page(uint32_t /*slot*/, std::shared_ptr<const PageTexture> /*texture*/) {
+    return Status::ok();
+  }
 
   /// Draws these patches in front of the background. Needs: ranges inside the pages of their slots.
   /// Fails: invalid_argument (size), resource_exhausted.
