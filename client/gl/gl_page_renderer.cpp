@@ -11,13 +11,33 @@ Result<std::unique_ptr<GlPageRenderer>> GlPageRenderer::create() {
                                                              page_fragment_shader().c_str()));
   ASSIGN_OR_RETURN(auto background, Background::create());
   ASSIGN_OR_RETURN(auto relief, ReliefLight::create());
-  Programs programs{std::move(page), std::move(background), std::move(relief)};
+  Programs programs{std::move(page), {}, std::move(background), std::move(relief)};
   return std::unique_ptr<GlPageRenderer>(new GlPageRenderer(std::move(programs)));
 }
 
 void GlPageRenderer::open(const PageSpace& space) {
   space_ = space;
   arena_.clear();
+  if (textures_) textures_->clear();
+}
+
+// The slot's texture goes with the page.
+Status GlPageRenderer::upload_page(uint32_t slot, const PageMesh& mesh) {
+  if (programs_.textured) RETURN_IF_ERROR(textures_->put(slot, nullptr));
+  return arena_.upload_page(slot, mesh);
+}
+
+Status GlPageRenderer::texture_page(uint32_t slot, std::shared_ptr<const PageTexture> texture) {
+  if (!textures_) return Status::ok();
+  if (!programs_.textured) {
+    if (texture == nullptr) return Status::ok();
+    const std::string define = "#define TEXTURES\n";
+    ASSIGN_OR_RETURN(ShaderProgram textured,
+                     ShaderProgram::create("textured page", (define + kPageVertexShader).c_str(),
+                                           (define + page_fragment_shader()).c_str()));
+    programs_.textured.emplace(std::move(textured));
+  }
+  return textures_->put(slot, std::move(texture));
 }
 
 Status GlPageRenderer::draw(const Camera& camera, const ImageSize& size, const DrawStyle& style,
@@ -64,20 +84,27 @@ void GlPageRenderer::draw_split(const Camera& camera, const ImageSize& size,
 
 void GlPageRenderer::draw_pages(const Camera& camera, double aspect, const DrawStyle& style,
                                 bool original) const {
-  programs_.page.use();
-  set_place(programs_.page, space_, camera, aspect, original);
-  set_style(programs_.page, space_, style);
+  const bool is_textured = style.colouring == Colouring::kScan && programs_.textured;
+  const ShaderProgram& program = is_textured ? *programs_.textured : programs_.page;
+  program.use();
+  set_place(program, space_, camera, aspect, original);
+  set_style(program, space_, style);
   // Leaves room for the edges in front. Without edges a triangle that is seen from its side would
   // fall behind what it hides.
   if (style.wireframe) glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1, 1);
-  arena_.draw();
+  if (is_textured) {
+    textures_->bind(program);
+    arena_.draw_each([&](const PatchRange& patch) { textures_->choose(program, patch); });
+  } else {
+    arena_.draw();
+  }
   glDisable(GL_POLYGON_OFFSET_FILL);
-  if (style.wireframe) draw_edges();
+  if (style.wireframe) draw_edges(program);
 }
 
-void GlPageRenderer::draw_edges() const {
-  programs_.page.set("edges", true);
+void GlPageRenderer::draw_edges(const ShaderProgram& program) const {
+  program.set("edges", true);
   glEnable(GL_BLEND);  // by the alpha of each output: that of a relief is 0, so reliefs stay
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
   arena_.draw_edges();

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "client/gl/background.h"
 #include "client/gl/page_arena.h"
+#include "client/gl/page_textures.h"
 #include "client/gl/picture_target.h"
 #include "client/gl/relief_light.h"
 #include "client/gl/relief_target.h"
@@ -21,9 +23,7 @@ class GlPageRenderer : public PageRenderer {
 
   void open(const PageSpace& space) override;
   Status reserve(uint32_t slots) override { return arena_.reserve(slots); }
-  Status upload_page(uint32_t slot, const PageMesh& mesh) override {
-    return arena_.upload_page(slot, mesh);
-  }
+  Status upload_page(uint32_t slot, const PageMesh& mesh) override;
   Status move_page(uint32_t slot, std::span<const Vec3f> displacements,
                    std::span<const Vec3f> normals, std::span<const float> ridges) override {
     return arena_.move_page(slot, displacements, normals, ridges);
@@ -34,6 +34,8 @@ class GlPageRenderer : public PageRenderer {
   Status colour_page(uint32_t slot, std::span<const Rgba8> colours) override {
     return arena_.colour_page(slot, colours);
   }
+  uint64_t texture_bytes_max() const override { return textures_ ? textures_->bytes_max() : 0; }
+  Status texture_page(uint32_t slot, std::shared_ptr<const PageTexture> texture) override;
   Status draw(const Camera& camera, const ImageSize& size, const DrawStyle& style,
               std::span<const PatchRange> patches) override;
   Result<Image> read_pixels() override { return target_.read(); }
@@ -45,16 +47,19 @@ class GlPageRenderer : public PageRenderer {
  private:
   struct Programs {
     ShaderProgram page;
+    std::optional<ShaderProgram> textured;  // made for the first texture
     std::unique_ptr<Background> background;
     std::unique_ptr<ReliefLight> relief;
   };
-  explicit GlPageRenderer(Programs programs) : programs_(std::move(programs)) {}
+  explicit GlPageRenderer(Programs programs)
+      : programs_(std::move(programs)), textures_(make_page_textures()) {}
   Status draw_relief(const Camera& camera, const ImageSize& size, const DrawStyle& style);
   void draw_split(const Camera& camera, const ImageSize& size, const DrawStyle& style) const;
   void draw_pages(const Camera& camera, double aspect, const DrawStyle& style, bool original) const;
-  void draw_edges() const;
+  void draw_edges(const ShaderProgram& program) const;
 
   Programs programs_;
+  std::unique_ptr<PageTextures> textures_;  // null: none here
   PageArena arena_;
   PictureTarget target_;
   ReliefTarget relief_target_;

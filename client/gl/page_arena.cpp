@@ -87,6 +87,14 @@ void PageArena::draw() const {
                       static_cast<GLsizei>(index_counts_.size()));
 }
 
+void PageArena::draw_each(const std::function<void(const PatchRange&)>& before) const {
+  glBindVertexArray(vertex_array_);
+  for (size_t i = 0; i < patches_.size(); ++i) {
+    before(patches_[i]);
+    glDrawElements(GL_TRIANGLES, index_counts_[i], GL_UNSIGNED_INT, first_indices_[i]);
+  }
+}
+
 Status PageArena::choose_edges() {
   edges_.clear();
   for (const PatchRange& patch : patches_)

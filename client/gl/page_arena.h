@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -33,6 +34,8 @@ class PageArena {
   /// Chooses the patches that draw() draws. Needs: ranges inside the pages of their slots.
   void choose(std::span<const PatchRange> patches);
   void draw() const;
+  /// Draws them one by one, after `before` has seen each.
+  void draw_each(const std::function<void(const PatchRange&)>& before) const;
 
   /// Makes the edges of the chosen patches ready for draw_edges(). Fails: resource_exhausted.
   Status choose_edges();

@@ -27,6 +27,10 @@ centroid out vec4 overlay;   // sRGB times the fourth
 centroid out float hatched;  // 0 to 1
 centroid out float moved;  // along the normal, cells
 centroid out vec3 scan_colour;
+#ifdef TEXTURES
+centroid out vec3 own_colour;     // of the page, whatever edits do
+centroid out vec3 texel_position;  // as original_position, but never outside the triangle
+#endif
 
 // Unpack packed_shade(). Shifts to the right keep the sign.
 vec3 normal_of(int shade) {
@@ -52,6 +56,10 @@ void main() {
   hatched = float(marked_overlay >> 1 & 1);
   moved = still ? 0.0 : dot(displacement, normal_of(shade));
   scan_colour = still ? colour.rgb : displaced_colour.rgb;
+#ifdef TEXTURES
+  own_colour = colour.rgb;
+  texel_position = position;
+#endif
   gl_Position = projection * seen;
 }
 )";
