@@ -58,6 +58,12 @@ Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorde
   surface_->show_colours(has_colours());
 }
 
+Status Document::open(PageRenderer& renderer) {
+  RETURN_IF_ERROR(surface_->open(renderer));
+  find_textures();
+  return Status::ok();
+}
+
 void Document::send(Change change) {
   send_as(random_id(), std::move(change));
 }
@@ -254,7 +260,8 @@ bool Document::is_settled() const {
 }
 
 bool Document::is_picture_settled() const {
-  return surface_->is_settled() && !is_fetching_values_ && !is_fetching_over_;
+  return surface_->is_settled() && !is_finding_textures_ && !is_fetching_values_ &&
+         !is_fetching_over_;
 }
 
 }  // namespace burnish

@@ -80,15 +80,16 @@ class Document {
   int depth() const { return opened_.session.key.depth; }
 
   /// Empties the renderer for this surface. Call once, first. Fails: as the renderer does.
-  Status open(PageRenderer& renderer) { return surface_->open(renderer); }
+  Status open(PageRenderer& renderer);
 
   /// Handles news from the server. Call once per picture; `draws`: otherwise no picture follows.
   void update(bool draws = true);
   /// A picture of this document took so long, from its look() until the card had drawn it.
   /// `surface_ms`: of that, for the surface, where panels take as long as it does.
   void on_picture(double ms, std::optional<double> surface_ms);
-  /// Brings what this picture needs to the renderer of open(). Fails: as the renderer does.
-  Status look(const Camera& camera, const ImageSize& size);
+  /// Brings what this picture needs to the renderer of open(). `is_unlit`: it shows colours without
+  /// light. Fails: as the renderer does.
+  Status look(const Camera& camera, const ImageSize& size, bool is_unlit = false);
 
   /// Shows a value that a drag passes; others see it too, where gestures show its kind.
   void preview(Change change);
@@ -238,6 +239,8 @@ class Document {
   void take_rims(const SessionState& state);
   void take_noise();
   std::optional<EdgeFilter> filter_for_paint() const;
+  void find_textures();
+  void show_textures(const SheetsDescription& description);
   void renew_pages();
   Over over_now() const;
   void forget_over();
@@ -302,6 +305,7 @@ class Document {
   ScanNoise noise_;
   bool waits_for_noise_ = false;   // the edges that it proposes will be kept
   bool paints_for_noise_ = false;  // a stroke of kept edges came before the noise was known
+  bool is_finding_textures_ = false;
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  // completions may outlive us
   std::unique_ptr<LiveLink> live_;                              // its thread calls the wake
   std::unique_ptr<PagedSurface> surface_;                       // last: it uses live_

@@ -22,8 +22,9 @@ void Document::update(bool draws) {
   take_noise();
 }
 
-Status Document::look(const Camera& camera, const ImageSize& size) {
+Status Document::look(const Camera& camera, const ImageSize& size, bool is_unlit) {
   const bool is_dragging = !gesture_.empty() && !brush_.is_drawing();
+  surface_->show_scan_colours(colour_ == ColourBy::kScan, is_unlit);
   RETURN_IF_ERROR(surface_->look(camera, size, is_dragging));
   fetch_values();
   fetch_over();

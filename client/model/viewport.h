@@ -88,7 +88,9 @@ class Viewport {
   void update(const Eigen::AlignedBox3d& box);
 
   /// Prepares the picture of the document; draw() then draws it. Fails: as the renderer does.
-  Status look(Document& document) const { return document.look(camera, size_); }
+  Status look(Document& document) const {
+    return document.look(camera, size_, options.lighting.kind == LightKind::kUnlit);
+  }
   Status draw(PageRenderer& renderer, const Document& document) const;
 
   /// Returns the surface point under the pointer at the last update().

@@ -39,7 +39,7 @@ Result<uint32_t> CardPages::open(PageRenderer& renderer, uint32_t slots) {
 
 Status CardPages::put(PageSlot slot, const Page& page, PageMesh mesh) {
   BURNISH_CHECK(slot < slots_.size(), "slots are reserved");
-  slots_[slot] = {page.id, {}, nullptr, {}, nullptr};
+  slots_[slot] = {page.id, {}, nullptr, {}, nullptr, nullptr};
   slots_[slot].cells.reserve(page.positions.size());
   for (const Vec3i& position : page.positions)
     slots_[slot].cells.push_back(cell_place(position, grid_.bits, depth_).cell);
@@ -97,6 +97,21 @@ Result<bool> CardPages::mark_as(const PageMarks& marks, PageSlot number) {
   if (!marks.update(slot.page, slot.cells, slot.mark)) return false;
   RETURN_IF_ERROR(renderer_->mark_page(number, slot.mark.marks));
   return true;
+}
+
+Result<bool> CardPages::show_textures(
+    const std::function<std::shared_ptr<const PageTexture>(PageId)>& texture_of) {
+  bool is_changed = false;
+  for (PageSlot number = 0; number < slots_.size(); ++number) {
+    Slot& slot = slots_[number];
+    if (slot.page == kNoPage) continue;
+    std::shared_ptr<const PageTexture> texture = texture_of(slot.page);
+    if (slot.texture == texture) continue;
+    slot.texture = texture;
+    RETURN_IF_ERROR(renderer_->texture_page(number, std::move(texture)));
+    is_changed = true;
+  }
+  return is_changed;
 }
 
 std::optional<SurfaceHit> CardPages::hit(const Ray& ray, bool original) const {

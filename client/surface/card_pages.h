@@ -32,6 +32,11 @@ class CardPages {
   Result<bool> show(std::span<const DrawnRange> drawn, const SurfaceFrame& frame,
                     const PageMarks& marks);
 
+  /// Gives the pages of all slots the textures that `texture_of` returns; null: none.
+  /// Returns whether any changed. Fails: resource_exhausted.
+  Result<bool> show_textures(
+      const std::function<std::shared_ptr<const PageTexture>(PageId)>& texture_of);
+
   /// The patches that the last show() has to draw.
   std::span<const PatchRange> patches() const { return patches_; }
 
@@ -43,10 +48,11 @@ class CardPages {
  private:
   struct Slot {
     PageId page = kNoPage;
-    std::vector<Vec3i> cells;                  // of the vertices, grid units
-    std::shared_ptr<const PageMove> moved;     // as the renderer has it
-    PageMarks::Mark mark;                      // likewise
-    std::shared_ptr<const PageMove> coloured;  // likewise
+    std::vector<Vec3i> cells;                    // of the vertices, grid units
+    std::shared_ptr<const PageMove> moved;       // as the renderer has it
+    PageMarks::Mark mark;                        // likewise
+    std::shared_ptr<const PageMove> coloured;    // likewise
+    std::shared_ptr<const PageTexture> texture;  // likewise; null: none
   };
   bool list_patches(std::span<const DrawnRange> drawn);
   bool move_to(std::shared_ptr<const PageMove> move, PageSlot slot);

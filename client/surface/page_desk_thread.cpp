@@ -1,10 +1,4 @@
-#include <condition_variable>
-#include <deque>
-#include <mutex>
-#include <stop_token>
-#include <thread>
-#include <utility>
-
+#include "client/surface/desk_thread.h"
 #include "client/surface/page_desk.h"
 
 namespace burnish {
@@ -13,46 +7,15 @@ namespace {
 class ThreadDesk final : public PageDesk {
  public:
   ThreadDesk(PageHead head, std::function<void()> on_news)
-      : head_(std::move(head)),
-        on_news_(std::move(on_news)),
-        thread_([this](const std::stop_token& stop) { run(stop); }) {}
+      : thread_([head = std::move(head)](
+                    const EncodedPage& page) { return decode_in_scan(page, head); },
+                std::move(on_news)) {}
 
-  void put(EncodedPage page) override {
-    const std::lock_guard lock(mutex_);
-    jobs_.push_back(std::move(page));
-    changed_.notify_one();
-  }
-
-  std::vector<DecodedPage> take() override {
-    const std::lock_guard lock(mutex_);
-    return std::exchange(done_, {});
-  }
+  void put(EncodedPage page) override { thread_.put(std::move(page)); }
+  std::vector<DecodedPage> take() override { return thread_.take(); }
 
  private:
-  void run(const std::stop_token& stop) {
-    std::unique_lock lock(mutex_);
-    while (changed_.wait(lock, stop, [this] { return !jobs_.empty(); })) {
-      const EncodedPage job = std::move(jobs_.front());
-      jobs_.pop_front();
-      lock.unlock();
-      DecodedPage decoded = decode_in_scan(job, head_);
-      lock.lock();
-      done_.push_back(std::move(decoded));
-      lock.unlock();
-      on_news_();
-      lock.lock();
-    }
-  }
-
-  const PageHead head_;
-  const std::function<void()> on_news_;
-
-  std::mutex mutex_;  // guards the following members
-  std::condition_variable_any changed_;
-  std::deque<EncodedPage> jobs_;
-  std::vector<DecodedPage> done_;
-
-  std::jthread thread_;  // last member: it uses all the others
+  DeskThread<EncodedPage, DecodedPage> thread_;
 };
 
 }  // namespace

@@ -40,6 +40,7 @@ PagedSurface::PagedSurface(OpenedPages pages, int depth, std::unique_ptr<PageSou
       decoder_(pages_.head, options_.on_news) {}
 
 Status PagedSurface::open(PageRenderer& renderer) {
+  texture_bytes_max_ = renderer.texture_bytes_max();
   PageBudget budget = options_.budget;
   const uint32_t pages = pages_.head.page_count();
   const auto slots = static_cast<uint32_t>(std::min<uint64_t>(budget.slots(), pages));
@@ -76,7 +77,28 @@ Status PagedSurface::show_frame() {
   const std::vector<DrawnRange> drawn = drawn_ranges(loader_->cut(), loader_->cache());
   ASSIGN_OR_RETURN(const bool is_changed, card_.show(drawn, *frame_, marks_));
   changes_ += is_changed;
+  return shows_textures() ? show_textures(drawn) : Status::ok();
+}
+
+// Asks for the sheets of this picture, and shows those that are here.
+Status PagedSurface::show_textures(std::span<const DrawnRange> drawn) {
+  std::vector<PageId> pages;  // the ranges of a page follow each other
+  for (const DrawnRange& range : drawn)
+    if (pages.empty() || pages.back() != range.page) pages.push_back(range.page);
+  const auto now = options_.clock();
+  textures_->take_decoded(now);
+  const PageRequests::Plan& plan = textures_->look(*loader_, pages, source_->speed(), now);
+  source_->cancel(plan.cancel);
+  source_->ask(plan.ask);
+  ASSIGN_OR_RETURN(const bool is_changed,
+                   card_.show_textures([this](PageId page) { return textures_->texture(page); }));
+  changes_ += is_changed;
   return Status::ok();
+}
+
+void PagedSurface::on_link_made() {
+  loader_->on_link_made();
+  if (textures_) textures_->on_link_made();
 }
 
 // A server that finds a page damaged drops them all, and has none until somebody describes them.
@@ -87,7 +109,9 @@ static bool is_damage(StatusCode code) {
 void PagedSurface::take_arrivals() {
   const auto now = options_.clock();
   for (PageSource::Arrival& arrival : source_->take()) {
-    if (arrival.item.kind == PageItem::Kind::kBlock && arrival.bytes.is_ok()) {
+    if (arrival.item.is_of_sheets()) {
+      if (textures_) textures_->on_arrival(std::move(arrival), now);
+    } else if (arrival.item.kind == PageItem::Kind::kBlock && arrival.bytes.is_ok()) {
       hand_in_block(arrival.item.number, std::move(arrival.bytes));
     } else if (arrival.bytes.is_ok()) {
       loader_->on_page(arrival.item.number, std::move(*arrival.bytes), now);
@@ -119,6 +143,7 @@ PictureQuestion PagedSurface::question(const Camera& camera, const ImageSize& si
   };
   asked.moving_triangles_max = pace_.triangles_max();
   asked.link = source_->speed();
+  asked.rests_early = shows_textures() && is_unlit_;
   return asked;
 }
 
@@ -188,12 +213,13 @@ std::optional<size_t> PagedSurface::vertex_count(PageId page) const {
 }
 
 bool PagedSurface::is_settled() const {
-  return frame_ != nullptr && loader_->is_settled();
+  return frame_ != nullptr && loader_->is_settled() &&
+         (!shows_textures() || textures_->is_settled());
 }
 
 std::string PagedSurface::take_failures() {
   const std::vector<GivenUpItem> items = loader_->take_given_up();
-  if (items.empty()) return {};
+  if (items.empty()) return textures_ ? textures_->take_failures() : std::string();
   return std::to_string(items.size()) +
          " pieces of the surface could not be fetched: " + items.front().last_failure.message();
 }

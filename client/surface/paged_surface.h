@@ -20,6 +20,7 @@
 #include "client/surface/page_marks.h"
 #include "client/surface/server_room.h"
 #include "client/surface/shown_set.h"
+#include "client/surface/texture_supply.h"
 #include "common/base/clock.h"
 #include "common/service/scan_pages.h"
 
@@ -62,7 +63,7 @@ class PagedSurface {
   /// Takes pages that have come, and decodes them. look() does so too.
   void take_arrivals();
   /// The link has come back: all that failed is asked for again.
-  void on_link_made() { loader_->on_link_made(); }
+  void on_link_made();
 
   /// Prepares the picture: chooses its pages, brings what has come to the card, and asks for the
   /// rest. `is_dragging`: a slider or curve moves the whole surface now.
@@ -82,6 +83,16 @@ class PagedSurface {
   std::optional<SurfaceHit> hit_at(const Camera& camera, const ImageSize& size,
                                    const Eigen::Vector2i& pixel, bool original) const;
 
+  /// Returns how many bytes of textures the renderer of open() has room for; 0: it shows none.
+  uint64_t texture_bytes_max() const { return texture_bytes_max_; }
+  /// Brings sheets of the scan from the next look() on. Needs: open().
+  void set_textures(std::unique_ptr<TextureSupply> textures) { textures_ = std::move(textures); }
+  /// Pictures show the scan's colours from the next look() on, or not; without a light they rest
+  /// before full detail, for the texture has it.
+  void show_scan_colours(bool shows, bool is_unlit) {
+    shows_scan_colours_ = shows, is_unlit_ = is_unlit;
+  }
+
   /// Frames carry colours from the next look() on, or no more. The last ones stay.
   void show_colours(bool shows) { shown_.show_colours(shows); }
 
@@ -99,11 +110,13 @@ class PagedSurface {
   /// Returns why the server must make the pages again, if it said so since the last call.
   std::optional<Status> take_damage() { return std::exchange(damage_, std::nullopt); }
   /// The server has made the pages again: all that failed is asked for again.
-  void on_pages_renewed() { loader_->on_link_made(); }
+  void on_pages_renewed() { on_link_made(); }
   /// Returns what could not be fetched since the last call, in words; empty: nothing.
   std::string take_failures();
 
   const PageHead& head() const { return pages_.head; }
+  uint64_t pages_fingerprint() const { return pages_.fingerprint; }
+  const std::function<void()>& on_news() const { return options_.on_news; }
 
  private:
   void hand_in_block(uint32_t number, Result<std::vector<uint8_t>> bytes);
@@ -112,6 +125,8 @@ class PagedSurface {
   Status put_on_card();
   Status show_pages();
   Status show_frame();
+  Status show_textures(std::span<const DrawnRange> drawn);
+  bool shows_textures() const { return textures_ != nullptr && shows_scan_colours_; }
   PictureQuestion question(const Camera& camera, const ImageSize& size, bool is_dragging) const;
   FrameBounds frame_bounds() const;
   uint64_t vertices_in_flight_max() const;
@@ -136,6 +151,11 @@ class PagedSurface {
   PicturePace pace_;
   uint64_t changes_ = 0;
   std::optional<Status> damage_;
+
+  uint64_t texture_bytes_max_ = 0;
+  bool shows_scan_colours_ = false;
+  bool is_unlit_ = false;
+  std::unique_ptr<TextureSupply> textures_;  // null: the scan has none, or none is known yet
 
   std::unique_ptr<PageSource> source_;  // their threads call on_news
   PageDecoder decoder_;

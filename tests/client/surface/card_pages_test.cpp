@@ -58,6 +58,20 @@ class CardPagesTest : public testing::Test {
   std::vector<DrawnRange> drawn_;
 };
 
+TEST_F(CardPagesTest, APagesTextureIsWithItUntilItGoes) {
+  const auto texture = std::make_shared<const PageTexture>();
+  const PageId textured = split_.pages[1].id;
+  const auto texture_of = [&](PageId page) { return page == textured ? texture : nullptr; };
+  EXPECT_TRUE(card_.show_textures(texture_of).value());
+  EXPECT_FALSE(card_.show_textures(texture_of).value());
+  EXPECT_EQ(renderer_.texture(0), nullptr);
+  EXPECT_EQ(renderer_.texture(1), texture.get());
+  EXPECT_TRUE(card_.put(1, split_.pages[1], make_page_mesh(split_.pages[1], split_.grid)).is_ok());
+  EXPECT_TRUE(card_.show_textures(texture_of).value()) << "a page that comes again has it again";
+  EXPECT_TRUE(card_.show_textures([](PageId) { return nullptr; }).value());
+  EXPECT_EQ(renderer_.texture(1), nullptr);
+}
+
 TEST_F(CardPagesTest, AFrameMovesTheDrawnPagesOnce) {
   const SurfaceFrame moved = frame(Vec3f(0, 0, 4));
   EXPECT_TRUE(card_.show(drawn_, moved, marks_).value());

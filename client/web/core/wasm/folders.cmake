@@ -58,7 +58,7 @@ core_folder(client/scene EXCEPT png_reader png_writer raw_pages thinned_triangle
 core_folder(client/pages)
 core_folder(client/live)
 core_folder(client/tools EXCEPT own_presets_file)
-core_folder(client/surface EXCEPT page_desk_thread)
+core_folder(client/surface EXCEPT page_desk_thread texture_supply)
 core_folder(client/report ONLY depth_text deviation_json length_text processing_record record_json
   record_page section_file time_text)
 file(STRINGS ${root}/CMakeLists.txt project REGEX "^project\\(burnish VERSION")
@@ -66,7 +66,7 @@ string(REGEX MATCH "[0-9.]+" BURNISH_VERSION "${project}")
 target_compile_definitions(client_report PRIVATE BURNISH_VERSION="${BURNISH_VERSION}")
 core_folder(client/connection ONLY call_status connection edit_calls export_call
   history_calls import_call measure_calls page_calls page_value_calls rename_calls)
-core_folder(client/model EXCEPT beside connection_form detached_program file_browser file_list
+core_folder(client/model EXCEPT beside connection_form detached_program document_textures file_browser file_list
   leaving letters lighting_toml native_dialog preferences private_folder private_server raw_scan
   recorder_file scan_files session_picture_files tasks typed_path user_socket view_state)
 core_folder(client/script EXCEPT lone_script)
