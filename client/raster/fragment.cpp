@@ -1,5 +1,6 @@
 #include "client/raster/fragment.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -134,7 +135,22 @@ ShadeVector colour_between(const SeenTriangle& triangle, const Weights& weights,
   return linear({part(0), part(1), part(2)});
 }
 
-// Steps to the pixels beside it say how many texels a pixel has.
+// How the weights, before their division by the sum, change from a pixel to the next one.
+struct WeightSteps {
+  std::array<float, 3> right, down;
+};
+
+WeightSteps weight_steps(const SeenTriangle& triangle, float x, float y) {
+  WeightSteps steps;
+  for (int i = 0; i < 3; ++i) {
+    const SeenCorner& next = triangle.seen[(i + 1) % 3];
+    const SeenCorner& last = triangle.seen[(i + 2) % 3];
+    steps.right[i] = last.w * (next.y - y * next.w) - next.w * (last.y - y * last.w);
+    steps.down[i] = next.w * (last.x - x * last.w) - last.w * (next.x - x * next.w);
+  }
+  return steps;
+}
+
 ShadeVector texture_colour(const SeenTriangle& triangle, uint32_t number, const Weights& weights,
                            float x, float y) {
   const PageTexture& texture = *triangle.page.texture;
@@ -144,12 +160,19 @@ ShadeVector texture_colour(const SeenTriangle& triangle, uint32_t number, const 
     const Vec3f& at = triangle.page.original.positions[triangle.corners[i]];
     of_corner[i] = {times(chart.u, at), times(chart.v, at)};
   }
-  const auto place = [&](const Weights& parts) {
-    return TexelPoint{between(parts, [&](int i) { return of_corner[i].x; }),
-                      between(parts, [&](int i) { return of_corner[i].y; })};
+  const TexelPoint place{between(weights, [&](int i) { return of_corner[i].x; }),
+                         between(weights, [&](int i) { return of_corner[i].y; })};
+  const float per_sum = weights.facing != 0 ? -1 / weights.facing : 0;
+  const auto step = [&](const std::array<float, 3>& of_weights) {
+    TexelPoint sum;
+    for (int i = 0; i < 3; ++i) {
+      sum.x += of_weights[i] * (of_corner[i].x - place.x);
+      sum.y += of_weights[i] * (of_corner[i].y - place.y);
+    }
+    return TexelPoint{per_sum * sum.x, per_sum * sum.y};
   };
-  return linear(texel_colour(texture, place(weights), place(weights_at(triangle, x + 1, y)),
-                             place(weights_at(triangle, x, y + 1))));
+  const WeightSteps steps = weight_steps(triangle, x, y);
+  return linear(texel_colour(texture, place, step(steps.right), step(steps.down)));
 }
 
 // Where an edit changes a page's colours, its texels change by as much.
@@ -159,7 +182,11 @@ ShadeVector scan_colour(const SeenTriangle& triangle, uint32_t number, const Wei
   const std::span<const Rgba8> shown = page.colours(triangle.of_original);
   if (page.texture == nullptr) return colour_between(triangle, weights, shown);
   const ShadeVector colour = texture_colour(triangle, number, weights, x, y);
-  if (shown.data() == page.original_colours.data()) return colour;
+  if (page.original_colours.empty()) return colour;
+  const bool is_changed = std::ranges::any_of(triangle.corners, [&](uint16_t corner) {
+    return shown[corner] != page.original_colours[corner];
+  });
+  if (!is_changed) return colour;
   const ShadeVector changed = colour + colour_between(triangle, weights, shown) -
                               colour_between(triangle, weights, page.original_colours);
   return {greater(changed.x, 0), greater(changed.y, 0), greater(changed.z, 0)};

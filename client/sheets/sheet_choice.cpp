@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "common/base/limits.h"
 #include "common/base/types.h"
-#include "common/pages/page.h"
 
 namespace burnish {
 

@@ -85,8 +85,6 @@ void SheetLoader::miss(PageItem item, uint32_t bytes, float excess) {
 void SheetLoader::on_arrival(PageItem item, Result<std::vector<uint8_t>> bytes, Time now) {
   requests_.on_arrival(item);
   if (!bytes.is_ok()) return requests_.on_failure(item, bytes.status(), now);
-  bytes_come_ += bytes->size();
-  ++parts_come_;
   hold(item, std::move(*bytes), now);
 }
 

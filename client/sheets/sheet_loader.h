@@ -60,8 +60,6 @@ class SheetLoader {
   bool is_settled() const { return is_fine_ && is_complete_; }
   /// Returns what was given up since the last call.
   std::vector<GivenUpItem> take_given_up() { return requests_.failures().take_news(); }
-  uint64_t bytes_come() const { return bytes_come_; }
-  uint64_t parts_come() const { return parts_come_; }
   const SheetStore& store() const { return store_; }
 
  private:
@@ -94,8 +92,6 @@ class SheetLoader {
   std::set<PageItem> decoding_;
   bool is_fine_ = false;      // the last picture asked for what one at rest needs
   bool is_complete_ = false;  // nothing was missing
-  uint64_t bytes_come_ = 0;
-  uint64_t parts_come_ = 0;
 };
 
 template <typename PageOf>
