@@ -97,16 +97,16 @@ Status take_surface(const SurfaceFile& file, const TakeSurface& take) {
 
 bool has_images(std::span<const uint8_t> bytes) {
   const auto json = read_gltf_json(bytes);
-  if (!json.is_ok()) return false;
+  if (!json.is_ok()) return true;  // reading it says why
   const GltfJson* images = find_member(*json, "images");
   return images != nullptr && images->is_array() && !images->empty();
 }
 
 bool has_pictures_inside(std::span<const uint8_t> bytes) {
   const auto archive = Archive::open(bytes, "");
-  if (!archive.is_ok()) return false;
+  if (!archive.is_ok()) return true;  // reading it says why
   const auto mesh = find_mesh(*archive);
-  if (!mesh.is_ok()) return false;
+  if (!mesh.is_ok()) return true;
   if (is_gltf(mesh->format)) return true;  // they may lie in its buffers
   return std::ranges::any_of(archive->entries(), [&](const ArchiveEntry& entry) {
     return !entry.is_folder() && entry.name != mesh->path && !entry.name.ends_with(".mtl");

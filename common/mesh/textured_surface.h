@@ -23,7 +23,7 @@ struct TexturedSurface {
 using TakeSurface = std::function<Status(const TexturedSurface& surface)>;
 
 /// Returns whether a stored file may have pictures, from its directory alone: false means that it
-/// has none. A damaged file has none.
+/// has none. A damaged file may have some.
 bool may_have_pictures(std::span<const uint8_t> bytes, MeshFormat format);
 
 /// Reads and validates the mesh of a stored file and its textures, without any picture's texels.

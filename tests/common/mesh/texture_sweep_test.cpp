@@ -55,7 +55,9 @@ TEST(TextureSweep, ACancelIsHeardWithinARow) {
   std::vector<uint32_t> triangles(textures.triangles.size());
   for (uint32_t t = 0; t < triangles.size(); ++t) triangles[t] = t;
   bool goes_on = true;
-  TextureSweep sweep(textures, triangles, kTallSize, [&] { return goes_on; });
+  constexpr double kEveryRow = 1e9;
+  TextureSweep sweep(
+      textures, triangles, kTallSize, [&] { return goes_on; }, kEveryRow);
   const std::vector<Rgba8> row(kTallSize.width, Rgba8{});
   size_t parts = 0;
   const auto count = [&](uint32_t, int, const Eigen::Array4d&) { ++parts; };
