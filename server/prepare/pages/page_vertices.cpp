@@ -86,20 +86,23 @@ PageGrid choose_page_grid(const MeshStatistics& statistics) {
   return grid;
 }
 
-ScratchArray<Vec3i> place_on_grid(const PagesInput& scan, const PageGrid& grid,
-                                  const ScratchSpace& space) {
-  ScratchArray<Vec3i> positions(space, scan.vertices.size());
+GridPlaces place_on_grid(const PagesInput& scan, const PageGrid& grid, const ScratchSpace& space) {
+  GridPlaces places;
+  places.positions = ScratchArray<Vec3i>(space, scan.vertices.size());
+  places.below = ScratchArray<uint8_t>(space, scan.vertices.size());
   const ScratchArray<PlaneSides> sides = find_plane_sides(scan, grid, space);
 #pragma omp parallel for schedule(static)
-  for (size_t v = 0; v < scan.vertices.size(); ++v)
-    positions[v] = place_vertex(scan.vertices[v], sides[v], grid);
-  return positions;
+  for (size_t v = 0; v < scan.vertices.size(); ++v) {
+    places.positions[v] = place_vertex(scan.vertices[v], sides[v], grid);
+    places.below[v] = sides[v].on & sides[v].below;
+  }
+  return places;
 }
 
 PageVertices place_vertices(const PagesInput& scan, const ScratchSpace& space) {
   PageVertices placed;
   placed.grid = choose_page_grid(scan.statistics);
-  placed.positions = place_on_grid(scan, placed.grid, space);
+  placed.positions = place_on_grid(scan, placed.grid, space).positions;
   placed.joined = join_places(placed.positions, space);
   return placed;
 }

@@ -32,10 +32,15 @@ struct PageVertices {
 /// kPageGridBitsMax allows it.
 PageGrid choose_page_grid(const MeshStatistics& statistics);
 
-/// Rounds every vertex down to a step, as place_vertices() does. Returns a position per vertex. The
-/// statistics are not read.
-ScratchArray<Vec3i> place_on_grid(const PagesInput& scan, const PageGrid& grid,
-                                  const ScratchSpace& space);
+/// The vertices of a scan in steps, and which of them lie on a plane and were put below it: a bit
+/// for each axis. Vertices of one place in the file may lie on different sides.
+struct GridPlaces {
+  ScratchArray<Vec3i> positions;
+  ScratchArray<uint8_t> below;
+};
+
+/// Rounds every vertex as place_vertices() does. The statistics are not read.
+GridPlaces place_on_grid(const PagesInput& scan, const PageGrid& grid, const ScratchSpace& space);
 
 /// Rounds every vertex down to a step. A vertex on a plane between cells goes to the side on which
 /// its triangles lie, so that its cell holds surface at every depth.

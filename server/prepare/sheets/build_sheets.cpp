@@ -35,7 +35,7 @@ constexpr double kAllHalvings = 4.0 / 3;
 // Of memory.
 constexpr uint64_t kBytesPerThread = 64 << 20;  // a page's sheets, its finer pages', tiles
 constexpr uint64_t kBytesPerTriangle = 40;      // of the finder; charts of two levels
-constexpr uint64_t kBytesPerVertex = 16;        // of the finder
+constexpr uint64_t kBytesPerVertex = 48;        // of the finder
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

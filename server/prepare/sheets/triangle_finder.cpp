@@ -1,7 +1,9 @@
 #include "server/prepare/sheets/triangle_finder.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "common/base/parallel.h"
 #include "common/mesh/statistics.h"
 #include "server/prepare/pages/page_vertices.h"
 #include "server/prepare/radix_sort.h"
@@ -45,7 +47,9 @@ TriangleFinder::TriangleFinder(const MeshView& mesh, const PageGrid& grid,
                                const ScratchSpace& space)
     : triangles_(mesh.triangles), sorted_(space, mesh.triangles.size()) {
   const MeshStatistics unread;
-  places_ = place_on_grid({mesh.vertices, mesh.triangles, {}, unread}, grid, space);
+  GridPlaces placed = place_on_grid({mesh.vertices, mesh.triangles, {}, unread}, grid, space);
+  places_ = std::move(placed.positions);
+  raise_places({placed.below.data(), placed.below.size()});
 #pragma omp parallel for schedule(static)
   for (size_t t = 0; t < triangles_.size(); ++t) {
     const auto triangle = static_cast<uint32_t>(t);
@@ -56,12 +60,48 @@ TriangleFinder::TriangleFinder(const MeshView& mesh, const PageGrid& grid,
              [](const Entry& entry) { return entry.hash; });
 }
 
+void TriangleFinder::raise_places(std::span<const uint8_t> below) {
+  for (size_t v = 0; v < below.size(); ++v) {
+    if (below[v] == 0) continue;
+    const Vec3i place = places_[v];
+    for (int axis = 0; axis < 3; ++axis) places_[v][axis] += below[v] >> axis & 1;
+    raised_.push_back({place, places_[v]});
+  }
+  const auto is_before = [](const Raised& a, const Raised& b) {
+    return a.below != b.below ? is_lower(a.below, b.below) : is_lower(a.above, b.above);
+  };
+  parallel_sort(raised_.begin(), raised_.end(), is_before);
+  const auto rest = std::ranges::unique(raised_, [](const Raised& a, const Raised& b) {
+    return a.below == b.below && a.above == b.above;
+  });
+  raised_.erase(rest.begin(), rest.end());
+}
+
+std::span<const TriangleFinder::Raised> TriangleFinder::raised(const Vec3i& place) const {
+  const auto found = std::ranges::equal_range(raised_, place, is_lower, &Raised::below);
+  return {found.begin(), found.end()};
+}
+
 std::array<Vec3i, 3> TriangleFinder::places_of(uint32_t triangle) const {
   const Triangle& corners = triangles_[triangle];
   return {places_[corners[0]], places_[corners[1]], places_[corners[2]]};
 }
 
+// A place below a plane is also that of vertices which lie there.
 std::optional<FoundTriangle> TriangleFinder::find(const std::array<Vec3i, 3>& places) const {
+  std::array<std::vector<Vec3i>, 3> choices;
+  for (int k = 0; k < 3; ++k) {
+    choices[k].push_back(places[k]);
+    for (const Raised& known : raised(places[k])) choices[k].push_back(known.above);
+  }
+  for (const Vec3i& a : choices[0])
+    for (const Vec3i& b : choices[1])
+      for (const Vec3i& c : choices[2])
+        if (const auto found = find_raised({a, b, c})) return found;
+  return std::nullopt;
+}
+
+std::optional<FoundTriangle> TriangleFinder::find_raised(const std::array<Vec3i, 3>& places) const {
   const uint64_t hash = hash_of(places);
   const auto* entry = std::lower_bound(sorted_.begin(), sorted_.end(), hash,
                                        [](const Entry& e, uint64_t h) { return e.hash < h; });

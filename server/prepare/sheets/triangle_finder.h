@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "common/base/scratch_array.h"
 #include "common/base/types.h"
@@ -20,15 +21,17 @@ struct FoundTriangle {
 };
 
 /// Finds the triangles of a scan that the pages of level 0 show. Pages keep places and orientation
-/// of a triangle, and neither its number nor its first corner. Memory: 28 bytes a triangle and 12 a
-/// vertex while it is made, 16 and 12 later.
+/// of a triangle, and neither its number nor its first corner. They join vertices of one place in
+/// the file, of which each may lie on another side of a plane of the grid. So vertices are compared
+/// as if all lay above. Memory: 28 bytes a triangle and 40 a vertex while it is made, 16 and 36
+/// later.
 class TriangleFinder {
  public:
   /// Needs: a valid mesh, which outlives this; the grid of its pages.
   TriangleFinder(const MeshView& mesh, const PageGrid& grid, const ScratchSpace& space);
 
-  /// Returns the first triangle with these places. Nothing if it has corners that the pages have
-  /// joined with others at another step. Threads may call it at the same time.
+  /// Returns the first triangle with these places, if there is one. Threads may call it at the same
+  /// time.
   std::optional<FoundTriangle> find(const std::array<Vec3i, 3>& places) const;
 
  private:
@@ -36,10 +39,19 @@ class TriangleFinder {
     uint64_t hash;
     uint32_t triangle;
   };
+  /// A place below a plane, and the one above that stands for it.
+  struct Raised {
+    Vec3i below;
+    Vec3i above;
+  };
+  void raise_places(std::span<const uint8_t> below);
+  std::span<const Raised> raised(const Vec3i& place) const;
   std::array<Vec3i, 3> places_of(uint32_t triangle) const;
+  std::optional<FoundTriangle> find_raised(const std::array<Vec3i, 3>& places) const;
 
   std::span<const Triangle> triangles_;
-  ScratchArray<Vec3i> places_;  // per vertex, steps
+  ScratchArray<Vec3i> places_;  // per vertex, steps, raised
+  std::vector<Raised> raised_;  // by the place below
   ScratchArray<Entry> sorted_;  // by hash, then triangle
 };
 

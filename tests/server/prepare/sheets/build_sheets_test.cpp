@@ -118,6 +118,39 @@ TEST_F(BuildSheets, ATextureThatRepeatsOftenIsShownByItsMean) {
   EXPECT_NEAR(sum / static_cast<double>(sheet.texels.size()), 100, 10);
 }
 
+/// Returns a bumpy table, whose triangles have vertices of their own at whole numbers.
+std::string soup_at_whole_numbers() {
+  std::string vertices, faces;
+  int count = 0;
+  const auto add = [&](int x, int y) {
+    const int z = (x * 7 + y * 3) % 5 / 4;
+    vertices += "v " + std::to_string(x) + ' ' + std::to_string(y) + ' ' + std::to_string(z) + '\n';
+    vertices += "vt " + std::to_string(x / 64.0) + ' ' + std::to_string(y / 64.0) + '\n';
+    ++count;
+    faces += ' ' + std::to_string(count) + '/' + std::to_string(count);
+  };
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x)
+      for (const int half : {0, 1}) {
+        faces += "f";
+        add(x, y);
+        half == 0 ? add(x + 1, y) : add(x + 1, y + 1);
+        half == 0 ? add(x + 1, y + 1) : add(x, y + 1);
+        faces += '\n';
+      }
+  return "mtllib ball.mtl\n" + vertices + "usemtl skin\n" + faces;
+}
+
+TEST_F(BuildSheets, FindTheTrianglesOfASoupOnPlanesOfTheGrid) {
+  // Vertices of one place and one colour are one in pages.
+  zip_ = zip_of(soup_at_whole_numbers(), png_of(drawn(64, 64, [](uint32_t x, uint32_t y) {
+                  return x + y < 8 ? Rgba8{0, 0, 0, 255} : Rgba8{200, 100, 50, 255};
+                })));
+  pages_ = pages_of_archive(zip_, folder_ / "ball.pages");
+  build();
+  EXPECT_EQ(report_.lost_triangles, 0u);
+}
+
 TEST_F(BuildSheets, CanBeCancelledInEachPhase) {
   for (const std::string cancelled : {"pictures", "sheets"}) {
     const Progress progress = [&](std::string_view phase, double) { return phase != cancelled; };
