@@ -71,10 +71,8 @@ Result<std::shared_ptr<const ScanSheets>> MeshStore::open_sheets(const std::stri
   if (sheets.status().code() != StatusCode::kNotFound)
     spdlog::warn("making sheets again: {}", sheets.status().message());
   if (without_pictures_.has(id)) return std::shared_ptr<const ScanSheets>();
-  const auto made = make_sheets(*pages, progress);
-  if (made.status().code() == StatusCode::kDataLoss) drop_damaged_pages(id, made.status());
-  RETURN_IF_ERROR(made.status());
-  if (*made) return open_sheet_file(pages);
+  ASSIGN_OR_RETURN(const bool is_made, make_sheets(*pages, progress));
+  if (is_made) return open_sheet_file(pages);
   without_pictures_.add(id);
   return std::shared_ptr<const ScanSheets>();
 }
@@ -90,13 +88,21 @@ Result<bool> MeshStore::make_sheets(const ScanPages& pages, const Progress& prog
   ASSIGN_OR_RETURN(const uint64_t held_bytes, reading_bytes_max(original, scan.format));
   ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(original));
   bool is_made = false;
+  SheetsReport made;
   const auto build = [&](const TexturedSurface& surface) -> Status {
-    ASSIGN_OR_RETURN(
-        is_made, build_sheets({surface, pages.file, scan.name}, sheets_path(pages.scan_id),
-                              {options_.threads, &budget, budget.space(), held_bytes}, progress));
+    const SheetsOptions options = {options_.threads, &budget, budget.space(), held_bytes};
+    const auto built = build_sheets({surface, pages.file, scan.name}, sheets_path(pages.scan_id),
+                                    options, progress, &made);
+    if (built.status().code() == StatusCode::kDataLoss)
+      drop_damaged_pages(pages.scan_id, built.status());
+    RETURN_IF_ERROR(built.status());
+    is_made = *built;
     return Status::ok();
   };
   RETURN_IF_ERROR(read_textured_surface(file.bytes(), scan.format, scan.name, build));
+  if (made.lost_triangles > 0)
+    spdlog::warn("scan {}: {} triangles of its pages have no picture", scan.name,
+                 made.lost_triangles);
   return is_made;
 }
 

@@ -143,6 +143,19 @@ TEST_F(SheetStore, ADamagedSheetIsRefusedAndTheSheetsAreMadeAgain) {
   EXPECT_TRUE(read_first().is_ok());
 }
 
+TEST_F(SheetStore, DamagedPagesAreRefusedAndMadeAgain) {
+  std::fstream(pages_path(), std::ios::in | std::ios::out | std::ios::binary).seekp(60).put('\x5a');
+  EXPECT_EQ(describe().status().code(), StatusCode::kDataLoss);
+  EXPECT_TRUE(has_sheets());
+}
+
+TEST_F(SheetStore, ADamagedOriginalLeavesThePages) {
+  fs::resize_file(library_.folder->scans() / scan_.id / "original.zip", 100);
+  library_.restart();
+  EXPECT_EQ(describe().status().code(), StatusCode::kDataLoss);
+  EXPECT_TRUE(fs::exists(pages_path()));
+}
+
 TEST_F(SheetStore, AFileThatWasCutIsMadeAgain) {
   ASSERT_TRUE(has_sheets());
   fs::resize_file(path(), fs::file_size(path()) / 2);
