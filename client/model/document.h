@@ -240,6 +240,7 @@ class Document {
   void take_noise();
   std::optional<EdgeFilter> filter_for_paint() const;
   void find_textures();
+  void renew_textures();
   void show_textures(const SheetsDescription& description);
   void renew_pages();
   Over over_now() const;
@@ -306,6 +307,7 @@ class Document {
   bool waits_for_noise_ = false;   // the edges that it proposes will be kept
   bool paints_for_noise_ = false;  // a stroke of kept edges came before the noise was known
   bool is_finding_textures_ = false;
+  int texture_renewals_left_ = 3;  // a server that always fails is asked no more
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  // completions may outlive us
   std::unique_ptr<LiveLink> live_;                              // its thread calls the wake
   std::unique_ptr<PagedSurface> surface_;                       // last: it uses live_

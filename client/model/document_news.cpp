@@ -29,6 +29,7 @@ Status Document::look(const Camera& camera, const ImageSize& size, bool is_unlit
   fetch_values();
   fetch_over();
   renew_pages();
+  renew_textures();
   const std::string failures = surface_->take_failures();
   if (!failures.empty()) log_.warning(failures);
   return Status::ok();

@@ -22,6 +22,14 @@ void Document::find_textures() {
   });
 }
 
+// Another server of a fleet has no sheets until somebody describes them, nor one whose file is
+// damaged.
+void Document::renew_textures() {
+  if (!surface_->take_sheet_damage() || is_finding_textures_ || texture_renewals_left_ == 0) return;
+  --texture_renewals_left_;
+  find_textures();
+}
+
 void Document::show_textures(const SheetsDescription& description) {
   if (!description.has_sheets()) return;
   auto textures =

@@ -110,6 +110,7 @@ void PagedSurface::take_arrivals() {
   const auto now = options_.clock();
   for (PageSource::Arrival& arrival : source_->take()) {
     if (arrival.item.is_of_sheets()) {
+      lacks_sheets_ |= !arrival.bytes.is_ok() && is_damage(arrival.bytes.status().code());
       if (textures_) textures_->on_arrival(std::move(arrival), now);
     } else if (arrival.item.kind == PageItem::Kind::kBlock && arrival.bytes.is_ok()) {
       hand_in_block(arrival.item.number, std::move(arrival.bytes));

@@ -87,6 +87,8 @@ class PagedSurface {
   uint64_t texture_bytes_max() const { return texture_bytes_max_; }
   /// Brings sheets of the scan from the next look() on. Needs: open().
   void set_textures(std::unique_ptr<TextureSupply> textures) { textures_ = std::move(textures); }
+  /// Returns whether the server said since the last call that it must make the sheets again.
+  bool take_sheet_damage() { return std::exchange(lacks_sheets_, false); }
   /// Pictures show the scan's colours from the next look() on, or not; without a light they rest
   /// before full detail, for the texture has it.
   void show_scan_colours(bool shows, bool is_unlit) {
@@ -153,6 +155,7 @@ class PagedSurface {
   std::optional<Status> damage_;
 
   uint64_t texture_bytes_max_ = 0;
+  bool lacks_sheets_ = false;
   bool shows_scan_colours_ = false;
   bool is_unlit_ = false;
   std::unique_ptr<TextureSupply> textures_;  // null: the scan has none, or none is known yet

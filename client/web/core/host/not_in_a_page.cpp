@@ -29,6 +29,8 @@ Status put_into(PageRenderer&, RawScan& scan) {
 
 void Document::find_textures() {}
 
+void Document::renew_textures() {}
+
 DrawStyle style_of(const RawScan&) {
   return {};
 }
