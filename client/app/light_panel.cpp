@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 
 #include "client/app/panels.h"
 #include "client/app/places.h"
@@ -19,6 +20,8 @@ static constexpr const char* kLightHints[] = {
     "Dark metal.",
     "Each direction of a slope has its own tone.",
     "The colours alone, without light."};  // as LightKind
+
+static_assert(std::size(kLightNames) == kLightKinds && std::size(kLightHints) == kLightKinds);
 
 static void draw_kind(Lighting& lighting) {
   ImGui::SetNextItemWidth(-1);
