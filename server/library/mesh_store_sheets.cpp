@@ -5,6 +5,7 @@
 #include <spdlog/spdlog.h>
 
 #include "common/base/mapped_file.h"
+#include "common/mesh/mesh_io.h"
 #include "common/mesh/textured_surface.h"
 #include "common/pages/directory_codec.h"
 #include "server/library/mesh_store.h"

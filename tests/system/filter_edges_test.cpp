@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/mesh/mesh_io.h"
 #include "tests/common/denoise/shape_error.h"
 #include "tests/system/filter_command.h"
 

@@ -1,6 +1,7 @@
 
 #include <gmock/gmock.h>
 
+#include "common/mesh/mesh_io.h"
 #include "common/mesh/obj_files.h"
 #include "tests/common/mesh/rewrite/rewriting.h"
 #include "tests/common/mesh/texture_reference.h"

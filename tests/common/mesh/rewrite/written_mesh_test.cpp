@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "common/mesh/mesh_io.h"
 #include "tests/common/mesh/rewrite/rewriting.h"
 #include "tests/common/temporary_folder.h"
 

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "common/base/check.h"
+#include "common/mesh/mesh_io.h"
 #include "common/mesh/statistics.h"
 #include "common/mesh/textured_surface.h"
 #include "common/pages/directory_codec.h"
