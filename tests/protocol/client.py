@@ -45,11 +45,12 @@ class Client:
         """Calls an RPC with one message. Returns its answer, or the stream of its answers."""
         return method(request, metadata=self.metadata, timeout=PATIENCE_S)
 
-    def import_scan(self, name, ply, depth=0, sha256="", damage=lambda chunk: None):
+    def import_scan(self, name, ply, depth=0, sha256="", damage=lambda chunk: None,
+                    mesh_format=common_pb2.MESH_FORMAT_PLY):
         """Returns the events. `damage` may change the chunks."""
         requests = queue.SimpleQueue()
         requests.put(library_pb2.ImportRequest(header=library_pb2.ImportHeader(
-            name=name, format=common_pb2.MESH_FORMAT_PLY, size_bytes=len(ply), sha256=sha256,
+            name=name, format=mesh_format, size_bytes=len(ply), sha256=sha256,
             depth=depth)))
         events = self.call(self.library.Import, iter(requests.get, None))
         first = next(events)
