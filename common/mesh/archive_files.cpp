@@ -48,8 +48,9 @@ Result<ArchivedMesh> find_mesh(const Archive& archive) {
   if (mesh) return *mesh;
   return invalid_argument(
       archive.name() + ": none of its " + std::to_string(archive.entries().size()) +
-      " entries is a mesh; it must have 1 " +
-      extensions_text([](MeshFormat format) { return format != MeshFormat::kZip; }));
+      " entries is a mesh; it must have 1 " + extensions_text([](const MeshFormatFacts& known) {
+        return known.format != MeshFormat::kZip;
+      }));
 }
 
 }  // namespace burnish

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "common/base/status.h"
@@ -15,16 +14,22 @@ namespace burnish {
 /// beside it, packed as one archive.
 enum class MeshFormat { kPly = 1, kObj = 2, kStl = 3, kOff = 4, kGlb = 5, kZip = 6, kGltf = 7 };
 
-/// All formats in the order in which people read them. A name is the extension of a format's files
-/// without the dot, and its word in records.
-inline constexpr std::array<std::pair<MeshFormat, std::string_view>, 7> kMeshFormats = {{
-    {MeshFormat::kPly, "ply"},
-    {MeshFormat::kObj, "obj"},
-    {MeshFormat::kStl, "stl"},
-    {MeshFormat::kOff, "off"},
-    {MeshFormat::kGlb, "glb"},
-    {MeshFormat::kGltf, "gltf"},
-    {MeshFormat::kZip, "zip"},
+/// The facts of a mesh format that messages and dialogues need.
+struct MeshFormatFacts {
+  MeshFormat format;
+  std::string_view name;         ///< a file's extension without the dot; the word in records
+  bool is_written_for_any_scan;  ///< else for scans that came in it: rewrite/rewrite.h
+};
+
+/// All formats in the order in which people read them.
+inline constexpr std::array<MeshFormatFacts, 7> kMeshFormats = {{
+    {MeshFormat::kPly, "ply", true},
+    {MeshFormat::kObj, "obj", true},
+    {MeshFormat::kStl, "stl", true},
+    {MeshFormat::kOff, "off", false},
+    {MeshFormat::kGlb, "glb", true},
+    {MeshFormat::kGltf, "gltf", false},
+    {MeshFormat::kZip, "zip", false},
 }};
 
 /// Returns the name of a format: "ply".
@@ -43,10 +48,11 @@ std::string extension_of(MeshFormat format);
 std::vector<std::string> mesh_extensions();
 
 /// Returns some formats as a choice: ".ply, .obj or .stl".
-std::string extensions_text(bool (*is_one)(MeshFormat) = [](MeshFormat) { return true; });
+std::string extensions_text(bool (*is_one)(const MeshFormatFacts&) = [](const MeshFormatFacts&) {
+  return true;
+});
 
-/// Returns whether write_mesh() writes the format for any scan. rewrite/rewrite.h writes the others
-/// for scans that came in them.
+/// Returns whether write_mesh() writes the format for any scan.
 bool is_written_for_any_scan(MeshFormat format);
 
 /// Returns the format by file extension, in any case. Fails: invalid_argument that names the path

@@ -23,10 +23,6 @@ static Status (*writer_of(MeshFormat format))(const MeshView& mesh, AtomicFile& 
   return nullptr;
 }
 
-bool is_written_for_any_scan(MeshFormat format) {
-  return writer_of(format) != nullptr;
-}
-
 static Result<TriangleMesh> read_textured_obj(std::span<const uint8_t> bytes,
                                               const std::string& name,
                                               const MeshSurroundings& beside) {
@@ -146,7 +142,9 @@ Status write_mesh(const MeshView& mesh, const std::filesystem::path& path) {
   if (!is_written_for_any_scan(format))
     return invalid_argument("cannot write " + path.string() + ": only a scan from a " +
                             path.extension().string() + " file is written as one; use " +
-                            extensions_text(is_written_for_any_scan));
+                            extensions_text([](const MeshFormatFacts& known) {
+                              return known.is_written_for_any_scan;
+                            }));
   RETURN_IF_ERROR(validate(mesh).with_context("cannot write " + path.string()));
   ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(path));
   RETURN_IF_ERROR(writer_of(format)(mesh, file));

@@ -11,8 +11,8 @@ v1::MeshFormat to_wire(MeshFormat format) {
 }
 
 Result<MeshFormat> from_wire(v1::MeshFormat format) {
-  for (const auto& [known, name] : kMeshFormats)
-    if (to_wire(known) == format) return known;
+  for (const MeshFormatFacts& known : kMeshFormats)
+    if (to_wire(known.format) == format) return known.format;
   return invalid_argument("mesh format " + std::to_string(static_cast<int>(format)) +
                           " is none of 1 to " + std::to_string(kMeshFormats.size()));
 }

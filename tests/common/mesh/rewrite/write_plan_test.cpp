@@ -12,11 +12,11 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr MeshFormat kMeshFormats[] = {MeshFormat::kPly, MeshFormat::kObj, MeshFormat::kStl,
-                                       MeshFormat::kOff, MeshFormat::kGlb, MeshFormat::kGltf};
+constexpr MeshFormat kFormats[] = {MeshFormat::kPly, MeshFormat::kObj, MeshFormat::kStl,
+                                   MeshFormat::kOff, MeshFormat::kGlb, MeshFormat::kGltf};
 
 TEST(WritePlan, AScanIsWrittenInItsOwnFormatAndAsAnArchive) {
-  for (const MeshFormat format : kMeshFormats) {
+  for (const MeshFormat format : kFormats) {
     EXPECT_EQ(find_way(format, format, format, "").value(), WriteWay::kRewrite);
     EXPECT_EQ(find_way(format, format, MeshFormat::kZip, "").value(), WriteWay::kPack);
     EXPECT_EQ(find_way(MeshFormat::kZip, format, format, "").value(), WriteWay::kUnpack);
@@ -25,8 +25,8 @@ TEST(WritePlan, AScanIsWrittenInItsOwnFormatAndAsAnArchive) {
 }
 
 TEST(WritePlan, OffAndGltfAreForScansThatCameInThem) {
-  for (const MeshFormat file : kMeshFormats)
-    for (const MeshFormat to : kMeshFormats) {
+  for (const MeshFormat file : kFormats)
+    for (const MeshFormat to : kFormats) {
       if (file == to) continue;
       const bool is_refused = to == MeshFormat::kOff || to == MeshFormat::kGltf;
       for (const MeshFormat outer : {file, MeshFormat::kZip}) {
