@@ -31,10 +31,7 @@ Status GlPageRenderer::texture_page(uint32_t slot, std::shared_ptr<const PageTex
   if (!textures_) return Status::ok();
   if (!programs_.textured) {
     if (texture == nullptr) return Status::ok();
-    const std::string define = "#define TEXTURES\n";
-    ASSIGN_OR_RETURN(ShaderProgram textured,
-                     ShaderProgram::create("textured page", (define + kPageVertexShader).c_str(),
-                                           (define + page_fragment_shader()).c_str()));
+    ASSIGN_OR_RETURN(ShaderProgram textured, textures_->make_program());
     programs_.textured.emplace(std::move(textured));
   }
   return textures_->put(slot, std::move(texture));

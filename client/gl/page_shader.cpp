@@ -28,8 +28,8 @@ centroid out float hatched;  // 0 to 1
 centroid out float moved;  // along the normal, cells
 centroid out vec3 scan_colour;
 #ifdef TEXTURES
-centroid out vec3 own_colour;     // of the page, whatever edits do
-centroid out vec3 texel_position;  // as original_position, but never outside the triangle
+centroid out vec3 own_colour;
+centroid out vec3 texel_position;
 #endif
 
 // Unpack packed_shade(). Shifts to the right keep the sign.

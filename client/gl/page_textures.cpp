@@ -12,6 +12,7 @@
 #include "client/gl/capabilities.h"
 #include "client/gl/dialect.h"
 #include "client/gl/gl_error.h"
+#include "client/gl/shaders.h"
 #include "client/gl/sheet_shelves.h"
 
 namespace burnish {
@@ -81,6 +82,12 @@ class ArrayTextures final : public PageTextures {
     glGenTextures(1, &array_);
   }
   ~ArrayTextures() override { glDeleteTextures(1, &array_); }
+
+  Result<ShaderProgram> make_program() const override {
+    const std::string define = "#define TEXTURES\n";
+    return ShaderProgram::create("textured page", (define + kPageVertexShader).c_str(),
+                                 (define + page_fragment_shader()).c_str());
+  }
 
   uint64_t bytes_max() const override {
     const double layer = kLayerSide * kLayerSide * sizeof(Rgba8) * (1 + 1 / 4.0 + 1 / 16.0);

@@ -19,6 +19,9 @@ class PageTextures {
   PageTextures(const PageTextures&) = delete;
   PageTextures& operator=(const PageTextures&) = delete;
 
+  /// Returns what draws pages with their textures. Fails: as ShaderProgram::create().
+  virtual Result<ShaderProgram> make_program() const = 0;
+
   /// Returns how many bytes of textures have room.
   virtual uint64_t bytes_max() const = 0;
   /// Forgets the textures of all slots.

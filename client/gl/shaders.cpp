@@ -17,7 +17,7 @@ std::string background_fragment_shader() {
 }
 
 std::string page_fragment_shader() {
-  return shade_constants() + kPageLights + kPagePixels;
+  return shade_constants() + kPageLights + kPagePixels + kPageTexels;
 }
 
 std::string occlusion_shader() {

@@ -9,6 +9,7 @@ namespace burnish {
 extern const char* const kPageVertexShader;
 extern const char* const kPageLights;       ///< part of page_fragment_shader(): every LightKind
 extern const char* const kPagePixels;       ///< part of page_fragment_shader(): the rest
+extern const char* const kPageTexels;       ///< part of page_fragment_shader(): the scan's colours
 extern const char* const kReliefParts;      ///< reads what ReliefTarget holds
 extern const char* const kOcclusionPixels;  ///< part of occlusion_shader()
 extern const char* const kReliefPixels;     ///< part of relief_shader()

@@ -309,9 +309,11 @@ std::vector<Change> changes_that_make(const Settings& settings) {
 
 std::vector<SettingText> texts_of(const Settings& settings) {
   std::vector<SettingText> texts;
-  for (const EditKindFacts& kind : kEditKinds)
-    if (kind.setting.key)
-      texts.push_back({kind.setting.key, kind.setting.label, kind.setting.text(settings)});
+  for (size_t kind = 0; kind < kEditKinds.size(); ++kind)
+    if (kSettingColumn<&SettingFacts::key>[kind])
+      texts.push_back({kSettingColumn<&SettingFacts::key>[kind],
+                       kSettingColumn<&SettingFacts::label>[kind],
+                       kSettingColumn<&SettingFacts::text>[kind](settings)});
   return texts;
 }
 

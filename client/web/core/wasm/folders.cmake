@@ -88,11 +88,11 @@ function(core_program name)
     -Wl,-mllvm,-enable-merge-functions)  # templates of many types are often the same code
 endfunction()
 
-core_folder(client/gl EXCEPT context_egl page_textures sheet_shelves)
+core_folder(client/gl EXCEPT context_egl page_textures sheet_shelves texel_shader)
 core_folder(client/web/core/card)
 core_program(core client/gl client/web/core/card)
 # Every browser with JSPI has registers of four numbers.
-core_folder(client/raster SPEED -O2 EXCEPT work_crew)
+core_folder(client/raster SPEED -O2 EXCEPT texel_colour work_crew)
 target_compile_options(client_raster PRIVATE -msimd128)
 set_source_files_properties(${root}/client/raster/near_clip.cpp ${root}/client/raster/raster_page_renderer.cpp
   ${root}/client/raster/shaded_scene.cpp PROPERTIES COMPILE_OPTIONS -Oz)  # run once a picture, or seldom
