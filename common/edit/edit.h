@@ -124,7 +124,7 @@ struct Settings {
   void take(const PreviewChange& change);
 };
 
-/// What an edit changes, in the terms of the solver.
+/// The effects of an edit, in the terms of the solver.
 struct EditEffects {
   bool metric = false;  ///< α1, α2: new matrices
   bool beta = false;    ///< only a new constraint

@@ -28,7 +28,7 @@ struct SheetsOptions {
   uint64_t held_bytes = 0;              ///< of memory that the scan takes beside it
 };
 
-/// What making sheets took and made.
+/// The cost and the result of making sheets.
 struct SheetsReport {
   struct Level {
     uint64_t pages = 0;

@@ -17,7 +17,7 @@
 
 namespace burnish {
 
-/// What the scan's pictures show on a page of level 0.
+/// The colours that the scan's pictures show on a page of level 0.
 class PagePaint {
  public:
   /// Needs: the arguments outlive this and its source.

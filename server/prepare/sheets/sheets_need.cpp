@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-// Of memory.
+// Bytes of memory.
 static constexpr uint64_t kBytesPerThread = 64 << 20;  // a page's sheets, its finer pages', tiles
 static constexpr uint64_t kBytesPerTriangle = 40;      // of the finder; charts of two levels
 static constexpr uint64_t kBytesPerVertex = 48;        // of the finder

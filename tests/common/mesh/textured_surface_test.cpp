@@ -25,7 +25,7 @@ std::vector<uint8_t> packed(const std::map<std::string, std::string>& files) {
 const std::map<std::string, std::string> kSquare = {
     {"square.obj", kSquareObj}, {"square.mtl", kSquareMtl}, {"skin.png", png_of(square_picture())}};
 
-/// What a reader handed over.
+/// The surface that a reader handed over.
 struct Taken {
   Status status;
   std::optional<TexturedSurface> surface;
