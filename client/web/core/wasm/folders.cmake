@@ -74,6 +74,10 @@ core_folder(client/web/core)
 core_folder(client/web/core/carrier)
 core_folder(client/web/core/host)
 core_folder(client/web/core/libraries)
+# They run once a scan, or once a block of its directory.
+foreach(name grid/corner_bricks grid/depth_plan pages/block_codec pages/directory pages/head_codec pages/page_header)
+  set_source_files_properties(${root}/common/${name}.cpp PROPERTIES COMPILE_OPTIONS -Oz)
+endforeach()
 get_property(shared GLOBAL PROPERTY core_folders)
 
 # core_program(NAME FOLDER...): a core that draws with these folders.
