@@ -45,6 +45,7 @@ void PageStreams::copy_from(const PageStreams& other, uint32_t slots) const {
   marked_.copy_from(other.marked_, vertex_bytes<MarkedVertex>(slots));
   coloured_.copy_from(other.coloured_, vertex_bytes<Rgba8>(slots));
   triangles_.copy_from(other.triangles_, index_bytes(slots));
+  glFinish();  // NVIDIA's driver 580 lets a write that comes soon after overtake a copy
 }
 
 void PageStreams::write_page(uint32_t slot, const PageMesh& mesh) const {

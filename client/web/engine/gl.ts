@@ -239,6 +239,7 @@ function drawing(gl: WebGL2RenderingContext, memory: CoreMemory) {
     glClearColor: (red: number, green: number, blue: number, alpha: number) => gl.clearColor(red, green, blue, alpha),
     glClearBufferfv: (buffer: number, drawn: number, from: number) =>
       gl.clearBufferfv(buffer, drawn, memory.floats(from, 4)),
+    glFinish: () => gl.finish(),
     glDrawArrays: (mode: number, first: number, count: number) => gl.drawArrays(mode, first, count),
     glDrawElements: (mode: number, count: number, type: number, offset: number) =>
       gl.drawElements(mode, count, type, offset),

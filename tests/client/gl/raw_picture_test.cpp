@@ -156,6 +156,7 @@ TEST(EglContextTest, SaysWhatIsMissingWithoutADriver) {
   ASSERT_EQ(setenv("__EGL_VENDOR_LIBRARY_DIRS", "/nonexistent", 1), 0);
   EXPECT_EXIT(
       {
+        unsetenv("__EGL_VENDOR_LIBRARY_FILENAMES");  // it would win
         const auto context = EglContext::create();
         std::fputs(context.status().message().c_str(), stderr);
         std::exit(context.is_ok() ? 0 : 1);

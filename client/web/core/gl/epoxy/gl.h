@@ -171,6 +171,8 @@ BURNISH_GL(glEnableVertexAttribArray)
 void glEnableVertexAttribArray(GLuint index);
 BURNISH_GL(glFenceSync)
 GLsync glFenceSync(GLenum condition, GLbitfield flags);
+BURNISH_GL(glFinish)
+void glFinish();
 BURNISH_GL(glFramebufferRenderbuffer)
 void glFramebufferRenderbuffer(GLenum target, GLenum attachment, GLenum renderbuffer_target,
                                GLuint renderbuffer);
