@@ -9,7 +9,7 @@ import dataclasses
 import re
 
 RUNS = ("sh", "python")
-TEXT = ("text", "toml", "page", "frame")
+TEXT = ("text", "toml")
 MARK = re.compile(r"<!-- (not run|file|before): (.*?)\s*-->", re.S)
 
 

@@ -1,7 +1,6 @@
 """The examples of docs/protocol.md."""
 
 import pathlib
-import re
 import unittest
 
 import numpy as np
@@ -11,23 +10,22 @@ from burnish.formats.frames import FrameDecoder, MissingReference, read_frame_he
 from burnish.formats.layout import VERTICES, Layout
 from burnish.formats.pages import read_page
 
-PAGE = pathlib.Path(__file__).parents[2] / "docs" / "protocol.md"
+EXAMPLES = pathlib.Path(__file__).parents[2] / "docs" / "examples"
 
 
-def examples(kind):
-    """The bytes that the page shows."""
-    blocks = re.findall(rf"```{kind}\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.S)
-    return [bytes.fromhex(block) for block in blocks]
+def example(name):
+    """Returns the bytes of an example of the protocol's page."""
+    return bytes.fromhex((EXAMPLES / f"{name}.hex").read_text(encoding="ascii"))
 
 
 class Page(unittest.TestCase):
     def setUp(self):
-        page = read_page(*examples("page"))
+        page = read_page(example("page"))
         self.decoder = FrameDecoder(lambda number, kind: Layout(page, 8, kind))
         self.decoder.show([9], [])
 
     def test_the_frames_say_what_the_page_says(self):
-        key, delta = examples("frame")
+        key, delta = example("key-frame"), example("next-frame")
         frame = self.decoder.decode(key)
         self.assertEqual((frame.reference, frame.revision, frame.kind), (0, 1, VERTICES))
         self.assertEqual(frame.largest_move, 0.25)
@@ -41,7 +39,7 @@ class Page(unittest.TestCase):
         np.testing.assert_array_equal(self.decoder.state[9].values, expected)
 
     def test_the_page_of_the_scan_says_what_the_page_says(self):
-        page = read_page(*examples("page"))
+        page = read_page(example("page"))
         self.assertEqual((page.number, page.border), (9, 2))
         self.assertEqual(page.patches, [(3, 4), (5, 2)])
         self.assertEqual(sorted(map(tuple, page.positions.tolist())), [
@@ -53,8 +51,8 @@ class Page(unittest.TestCase):
         self.assertEqual(page.colours[tip].tolist(), [255] * 4)
 
     def test_a_flipped_bit_is_found(self):
-        for data, read in [(examples("frame")[0], read_frame_header),
-                           (*examples("page"), read_page)]:
+        for data, read in [(example("key-frame"), read_frame_header),
+                           (example("page"), read_page)]:
             for byte in range(len(data)):
                 flipped = bytearray(data)
                 flipped[byte] ^= 1 << byte % 8
@@ -63,7 +61,7 @@ class Page(unittest.TestCase):
 
     def test_a_frame_without_its_reference_is_told_from_a_damaged_one(self):
         with self.assertRaises(MissingReference):
-            self.decoder.decode(examples("frame")[1])
+            self.decoder.decode(example("next-frame"))
 
 
 if __name__ == "__main__":
