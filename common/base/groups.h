@@ -1,9 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <vector>
+
+#include "common/base/resize_touched.h"
 
 namespace burnish {
 
@@ -39,6 +43,29 @@ Groups<T, Start> group_by(size_t groups, ForEach&& for_each) {
   made.item.resize(made.start.back());
   for_each([&](size_t group, const T& item) { made.item[made.start[group + 1]++] = item; });
   made.start.pop_back();
+  return made;
+}
+
+/// Groups the numbers below `count` by group_of(number), which may be negative for none; each group
+/// rises. Calls group_of() three times for each number, from several threads. Throws: bad_alloc.
+template <typename GroupOf>
+Groups<int32_t> group_numbers(size_t groups, int32_t count, const GroupOf& group_of) {
+  Groups<int32_t> made;
+  made.start.assign(groups + 1, 0);
+#pragma omp parallel for schedule(static)
+  for (int32_t i = 0; i < count; ++i)
+    if (const int32_t group = group_of(i); group >= 0)
+      __atomic_add_fetch(&made.start[group + 1], 1, __ATOMIC_RELAXED);
+  std::partial_sum(made.start.begin(), made.start.end(), made.start.begin());
+  resize_touched(made.item, made.start.back());
+  std::vector<int32_t> next(made.start.begin(), made.start.end() - 1);
+#pragma omp parallel for schedule(static)
+  for (int32_t i = 0; i < count; ++i)
+    if (const int32_t group = group_of(i); group >= 0)
+      made.item[__atomic_fetch_add(&next[group], 1, __ATOMIC_RELAXED)] = i;
+#pragma omp parallel for schedule(static)
+  for (size_t group = 0; group < groups; ++group)
+    std::sort(made.item.begin() + made.start[group], made.item.begin() + made.start[group + 1]);
   return made;
 }
 

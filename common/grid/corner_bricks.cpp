@@ -1,8 +1,12 @@
 #include "common/grid/corner_bricks.h"
 
 #include <algorithm>
+#include <numeric>
+#include <tuple>
 
 #include "common/base/parallel.h"
+#include "common/base/resize_touched.h"
+#include "common/base/select_numbers.h"
 
 namespace burnish {
 
@@ -36,6 +40,8 @@ const std::array<Place, kCornersPerCell>& places_of(const GridKey& cell) {
   return kPlaces[cell.place % kCellsPerBrick];
 }
 
+using BrickCorners = std::array<uint64_t, kCornersPerCell>;
+
 /// Returns the key of a cell's brick, or of a brick above it.
 GridKey brick_key(const GridKey& cell, int above) {
   return {morton_key(morton_point(cell.place >> kBrickShift) + corner_offset(above)),
@@ -46,37 +52,60 @@ GridKey brick_key(const GridKey& cell, int above) {
 
 CornerBricks::CornerBricks(std::span<const GridKey> cells) {
   find_runs(cells);
-  for (Run& run : runs_) add_corners(run, cells);
+  add_bricks(cells);
   merge();
-  order_corners();
+  find_places();
+  for_each_corner([&](int32_t corner, const Brick& brick, int bit) {
+    const uint64_t before = brick.corners & ((uint64_t{1} << bit) - 1);
+    index_[brick.first + __builtin_popcountll(before)] = corner;
+  });
 }
 
 void CornerBricks::find_runs(std::span<const GridKey> cells) {
   const auto n = static_cast<int32_t>(cells.size());
-  for (int32_t first = 0, last = 0; first < n; first = last) {
-    const GridKey& key = cells[first];
-    while (last < n && cells[last].place >> kBrickShift == key.place >> kBrickShift &&
-           cells[last].component == key.component)
-      ++last;
-    runs_.push_back({first, last, 0});
-  }
+  const std::vector<int32_t> first = select_numbers(n, [&](int32_t c) {
+    return c == 0 || cells[c].place >> kBrickShift != cells[c - 1].place >> kBrickShift ||
+           cells[c].component != cells[c - 1].component;
+  });
+  runs_.resize(first.size());
+  for (size_t i = 0; i < first.size(); ++i)
+    runs_[i] = {first[i], i + 1 < first.size() ? first[i + 1] : n, 0};
 }
 
-void CornerBricks::add_corners(Run& run, std::span<const GridKey> cells) {
-  std::array<uint64_t, kCornersPerCell> corners = {};
+// Returns the corners of a run's cells in its own brick and in the seven above it.
+static BrickCorners corners_of(const CornerBricks::Run& run, std::span<const GridKey> cells) {
+  BrickCorners corners = {};
   for (int32_t c = run.first; c < run.last; ++c)
     for (const Place& place : places_of(cells[c])) corners[place.brick] |= uint64_t{1} << place.bit;
-  for (int above = 0; above < kCornersPerCell; ++above) {
-    if (corners[above] == 0) continue;
-    run.bricks |= static_cast<uint8_t>(1 << above);
-    bricks_.push_back({brick_key(cells[run.first], above), corners[above], 0});
+  return corners;
+}
+
+void CornerBricks::add_bricks(std::span<const GridKey> cells) {
+  std::vector<int32_t> first(runs_.size() + 1, 0);
+#pragma omp parallel for schedule(static)
+  for (size_t i = 0; i < runs_.size(); ++i) {
+    const BrickCorners corners = corners_of(runs_[i], cells);
+    for (int above = 0; above < kCornersPerCell; ++above)
+      runs_[i].bricks |= static_cast<uint8_t>((corners[above] != 0 ? 1 : 0) << above);
+    first[i + 1] = __builtin_popcount(runs_[i].bricks);
+  }
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  bricks_.resize(first.back());
+#pragma omp parallel for schedule(static)
+  for (size_t i = 0; i < runs_.size(); ++i) {
+    const BrickCorners corners = corners_of(runs_[i], cells);
+    Brick* next = &bricks_[first[i]];
+    for (int above = 0; above < kCornersPerCell; ++above)
+      if (corners[above] != 0)
+        *next++ = {brick_key(cells[runs_[i].first], above), corners[above], 0};
   }
 }
 
 // Merges bricks of the same key into one.
 void CornerBricks::merge() {
-  parallel_sort(bricks_.begin(), bricks_.end(),
-                [](const Brick& a, const Brick& b) { return a.key < b.key; });
+  parallel_sort(bricks_.begin(), bricks_.end(), [](const Brick& a, const Brick& b) {
+    return std::tie(a.key, a.corners) < std::tie(b.key, b.corners);
+  });
   size_t kept = 0;
   int32_t corners = 0;
   for (size_t i = 0; i < bricks_.size();) {
@@ -91,36 +120,38 @@ void CornerBricks::merge() {
   index_.resize(corners);
 }
 
-// Calls visit(brick, bit) for all corners in rising order. If bricks of several components share a
-// place, neighbours in this order belong to different bricks.
+void CornerBricks::find_places() {
+  const auto n = static_cast<int32_t>(bricks_.size());
+  places_ = select_numbers(
+      n, [&](int32_t i) { return i == 0 || bricks_[i].key.place != bricks_[i - 1].key.place; });
+  places_.push_back(n);
+}
+
+// Calls visit(corner, brick, bit) for all corners, from several threads. Within a place they rise
+// by bit; if bricks of several components share it, then by brick.
 template <typename Visit>
 void CornerBricks::for_each_corner(Visit&& visit) const {
-  for (auto first = bricks_.begin(), last = first; first != bricks_.end(); first = last) {
+#pragma omp parallel for schedule(static)
+  for (size_t place = 0; place < places_.size() - 1; ++place) {
+    const std::span bricks =
+        std::span(bricks_).subspan(places_[place], places_[place + 1] - places_[place]);
     uint64_t of_all = 0;
-    for (; last != bricks_.end() && last->key.place == first->key.place; ++last)
-      of_all |= last->corners;
+    for (const Brick& brick : bricks) of_all |= brick.corners;
+    int32_t corner = bricks.front().first;
     for (uint64_t left = of_all; left != 0; left &= left - 1) {
       const int bit = __builtin_ctzll(left);
-      for (auto brick = first; brick != last; ++brick)
-        if (brick->corners >> bit & 1) visit(*brick, bit);
+      for (const Brick& brick : bricks)
+        if (brick.corners >> bit & 1) visit(corner++, brick, bit);
     }
   }
 }
 
-void CornerBricks::order_corners() {
-  int32_t next = 0;
-  for_each_corner([&](const Brick& brick, int bit) {
-    const uint64_t before = brick.corners & ((uint64_t{1} << bit) - 1);
-    index_[brick.first + __builtin_popcountll(before)] = next++;
-  });
-}
-
 std::vector<GridKey> CornerBricks::corners() const {
   std::vector<GridKey> corners;
-  corners.reserve(index_.size());
-  for_each_corner([&](const Brick& brick, int bit) {
-    corners.push_back(
-        {brick.key.place << kBrickShift | static_cast<MortonKey>(bit), brick.key.component});
+  resize_touched(corners, index_.size());
+  for_each_corner([&](int32_t corner, const Brick& brick, int bit) {
+    corners[corner] = {brick.key.place << kBrickShift | static_cast<MortonKey>(bit),
+                       brick.key.component};
   });
   return corners;
 }

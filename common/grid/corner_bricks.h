@@ -33,19 +33,20 @@ class CornerBricks {
   struct Brick {
     GridKey key;       // of the brick
     uint64_t corners;  // bits in Morton order
-    int32_t first;     // of its corners in index_
+    int32_t first;     // of its corners in index_; rises like the corners from place to place
   };
 
   void find_runs(std::span<const GridKey> cells);
-  void add_corners(Run& run, std::span<const GridKey> cells);
+  void add_bricks(std::span<const GridKey> cells);
   void merge();
-  void order_corners();
+  void find_places();
   template <typename Visit>
   void for_each_corner(Visit&& visit) const;
 
   std::vector<Run> runs_;
-  std::vector<Brick> bricks_;   // strictly rising
-  std::vector<int32_t> index_;  // of every corner, by brick, then by bit
+  std::vector<Brick> bricks_;    // strictly rising
+  std::vector<int32_t> places_;  // the first brick of each place, and the end
+  std::vector<int32_t> index_;   // of every corner, by brick, then by bit
 };
 
 }  // namespace burnish

@@ -5,6 +5,7 @@
 
 #include "common/base/disjoint_sets.h"
 #include "common/base/parallel.h"
+#include "common/base/resize_touched.h"
 #include "common/grid/corner_bricks.h"
 
 namespace burnish {
@@ -17,20 +18,14 @@ void sort_unique(std::vector<GridKey>& keys) {
   keys.shrink_to_fit();
 }
 
-std::vector<std::array<int32_t, kCornersPerCell>> no_cells(size_t corners) {
-  std::array<int32_t, kCornersPerCell> none;
-  none.fill(kNone);
-  return std::vector(corners, none);
-}
-
 SparseGrid connect(int depth, std::vector<GridKey> cells) {
   SparseGrid grid;
   grid.depth = depth;
   grid.cells = std::move(cells);
   const CornerBricks bricks(grid.cells);
   grid.corners = bricks.corners();
-  grid.cell_corners.resize(grid.cells.size());
-  grid.cells_of_corner = no_cells(grid.corners.size());
+  resize_touched(grid.cell_corners, grid.cells.size());
+  clear_cells_of_corners(grid);
   const std::span<const CornerBricks::Run> runs = bricks.runs();
 #pragma omp parallel for schedule(static)
   for (size_t run = 0; run < runs.size(); ++run) {
@@ -45,15 +40,17 @@ SparseGrid connect(int depth, std::vector<GridKey> cells) {
 // Unites cells that share a corner. Returns the least cell of each cell's component.
 std::vector<int32_t> component_roots(const SparseGrid& grid) {
   DisjointSets sets(grid.cells.size());
-  for (const auto& around : grid.cells_of_corner) {
+#pragma omp parallel for schedule(static)
+  for (int32_t corner = 0; corner < grid.corner_count(); ++corner) {
     int32_t first = kNone;
-    for (const int32_t cell : around) {
+    for (const int32_t cell : grid.cells_of_corner[corner]) {
       if (cell == kNone) continue;
       if (first == kNone) first = cell;
       sets.join(first, cell);
     }
   }
   std::vector<int32_t> root(grid.cells.size());
+#pragma omp parallel for schedule(static)
   for (int32_t cell = 0; cell < grid.cell_count(); ++cell) root[cell] = sets.root(cell);
   return root;
 }
@@ -71,6 +68,14 @@ void mark_components(SparseGrid& grid) {
 
 }  // namespace
 
+void clear_cells_of_corners(SparseGrid& grid) {
+  grid.cells_of_corner.clear();
+  resize_touched(grid.cells_of_corner, grid.corners.size());
+#pragma omp parallel for schedule(static)
+  for (int32_t corner = 0; corner < grid.corner_count(); ++corner)
+    grid.cells_of_corner[corner].fill(kNone);
+}
+
 int32_t find_key(std::span<const GridKey> sorted, const GridKey& key) {
   const auto it = std::lower_bound(sorted.begin(), sorted.end(), key);
   if (it == sorted.end() || *it != key) return kNone;
@@ -87,7 +92,9 @@ int32_t SparseGrid::find_cell(const Vec3i& cell) const {
 }
 
 std::vector<GridKey> finest_keys(std::span<const MortonKey> cells) {
-  std::vector<GridKey> keys(cells.size());
+  std::vector<GridKey> keys;
+  resize_touched(keys, cells.size());
+#pragma omp parallel for schedule(static)
   for (size_t c = 0; c < cells.size(); ++c) keys[c] = {cells[c], 0};
   return keys;
 }
@@ -100,6 +107,7 @@ SparseGrid make_finest_grid(int depth, std::span<const MortonKey> cells) {
 
 SparseGrid make_parent_grid(const SparseGrid& fine) {
   std::vector<GridKey> parents(fine.cells.size());
+#pragma omp parallel for schedule(static)
   for (size_t c = 0; c < parents.size(); ++c) parents[c] = parent_key(fine.cells[c]);
   sort_unique(parents);
   return connect(fine.depth - 1, std::move(parents));

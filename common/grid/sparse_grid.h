@@ -47,6 +47,9 @@ struct SparseGrid {
   int32_t find_cell(const Vec3i& cell) const;
 };
 
+/// Leaves every corner without cells. Needs: the corners.
+void clear_cells_of_corners(SparseGrid& grid);
+
 /// Returns keys of the finest cells before their components are known.
 std::vector<GridKey> finest_keys(std::span<const MortonKey> cells);
 

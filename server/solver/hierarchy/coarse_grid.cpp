@@ -2,16 +2,24 @@
 
 #include <algorithm>
 #include <functional>
-#include <utility>
 
 #include "common/base/check.h"
 #include "common/base/disjoint_sets.h"
 #include "common/base/parallel.h"
+#include "common/base/resize_touched.h"
+#include "common/base/select_numbers.h"
 #include "server/solver/hierarchy/half_way.h"
 
 namespace burnish {
 
 namespace {
+
+void raise_to(int32_t& at, int32_t value) {
+  int32_t before = __atomic_load_n(&at, __ATOMIC_RELAXED);
+  while (before < value && !__atomic_compare_exchange_n(&at, &before, value, true, __ATOMIC_RELAXED,
+                                                        __ATOMIC_RELAXED)) {
+  }
+}
 
 using CellCorners = std::array<int32_t, kCornersPerCell>;
 
@@ -40,9 +48,9 @@ class Parents {
  public:
   Parents(std::span<const GridKey> cells, std::span<const CellCorners> corners)
       : cells_(cells), corners_(corners), root_(cells.size()) {
-    std::vector<int32_t> group_start;
-    for (int32_t c = 0; c < count(); ++c)
-      if (c == 0 || cells[c].place >> 3 != cells[c - 1].place >> 3) group_start.push_back(c);
+    std::vector<int32_t> group_start = select_numbers(count(), [&](int32_t c) {
+      return c == 0 || cells[c].place >> 3 != cells[c - 1].place >> 3;
+    });
     group_start.push_back(count());
     ParallelFailure failure;
 #pragma omp parallel for schedule(dynamic, 1024)
@@ -58,16 +66,18 @@ class Parents {
 
   /// Returns the parents, by place, then by their first child. Sets the parent of each cell.
   std::vector<GridKey> number(std::vector<int32_t>& parent_cell) const {
-    std::vector<GridKey> parents;
-    parent_cell.resize(cells_.size());
-    for (int32_t c = 0; c < count(); ++c) {
-      if (root_[c] == c) {
-        parent_cell[c] = static_cast<int32_t>(parents.size());
-        parents.push_back({cells_[c].place >> 3, c});
-      } else {
-        parent_cell[c] = parent_cell[root_[c]];
-      }
+    const std::vector<int32_t> first =
+        select_numbers(count(), [&](int32_t c) { return root_[c] == c; });
+    std::vector<GridKey> parents(first.size());
+    resize_touched(parent_cell, cells_.size());
+#pragma omp parallel for schedule(static)
+    for (size_t p = 0; p < first.size(); ++p) {
+      parent_cell[first[p]] = static_cast<int32_t>(p);
+      parents[p] = {cells_[first[p]].place >> 3, first[p]};
     }
+#pragma omp parallel for schedule(static)
+    for (int32_t c = 0; c < count(); ++c)
+      if (root_[c] != c) parent_cell[c] = parent_cell[root_[c]];
     return parents;
   }
 
@@ -118,21 +128,35 @@ class Parents {
   std::vector<int32_t> root_;  // the first child of the same parent
 };
 
+// Finds every corner's place in the parent of its last cell.
+void find_places_of_corners(std::span<const GridKey> cells,
+                            std::span<const CellCorners> cell_corners, CoarseGrid& coarse) {
+  std::vector<int32_t> last(coarse.from.size(), kNone);
+#pragma omp parallel for schedule(static)
+  for (size_t c = 0; c < cells.size(); ++c)
+    for (const int32_t corner : cell_corners[c]) raise_to(last[corner], static_cast<int32_t>(c));
+#pragma omp parallel for schedule(static)
+  for (size_t c = 0; c < cells.size(); ++c)
+    for (int a = 0; a < kCornersPerCell; ++a)
+      if (const int32_t corner = cell_corners[c][a]; last[corner] == static_cast<int32_t>(c))
+        coarse.from[corner] = {coarse.parent_cell[c], place_in_parent(cells[c], a)};
+}
+
 // Joins the corners of coarse cells that meet in a fine corner. Each coarse cell has eight numbers.
 DisjointSets join_corners(std::span<const GridKey> cells, std::span<const CellCorners> cell_corners,
-                          CoarseGrid& coarse) {
+                          const CoarseGrid& coarse) {
   DisjointSets joined(kCornersPerCell * coarse.grid.cells.size());
+#pragma omp parallel for schedule(static)
   for (size_t c = 0; c < cells.size(); ++c)
     for (int a = 0; a < kCornersPerCell; ++a) {
       const FromCell here = {coarse.parent_cell[c], place_in_parent(cells[c], a)};
-      FromCell& last = coarse.from[cell_corners[c][a]];
-      const FromCell before = std::exchange(last, here);
-      if (before.cell == kNone || before.cell == here.cell) continue;
+      const FromCell& last = coarse.from[cell_corners[c][a]];
+      if (last.cell == here.cell) continue;
       // Both are the same points in space, in the same order.
-      const PositiveWeights& of_before = positive_weights(before.place);
+      const PositiveWeights& of_last = positive_weights(last.place);
       const PositiveWeights& of_here = positive_weights(here.place);
       for (int i = 0; i < of_here.count; ++i)
-        joined.join(kCornersPerCell * before.cell + of_before.corner[i],
+        joined.join(kCornersPerCell * last.cell + of_last.corner[i],
                     kCornersPerCell * here.cell + of_here.corner[i]);
     }
   return joined;
@@ -140,34 +164,41 @@ DisjointSets join_corners(std::span<const GridKey> cells, std::span<const CellCo
 
 // Numbers the joined corners by place, then by root.
 void number_corners(DisjointSets& joined, SparseGrid& grid) {
-  std::vector<int32_t> index(kCornersPerCell * grid.cells.size());
-  for (int32_t node = 0; node < static_cast<int32_t>(index.size()); ++node)
-    if (joined.root(node) == node)
-      grid.corners.push_back({morton_key(morton_point(grid.cells[node / kCornersPerCell].place) +
-                                         corner_offset(node % kCornersPerCell)),
-                              node});
+  const int32_t nodes = kCornersPerCell * grid.cell_count();
+  const std::vector<int32_t> roots =
+      select_numbers(nodes, [&](int32_t node) { return joined.root(node) == node; });
+  resize_touched(grid.corners, roots.size());
+#pragma omp parallel for schedule(static)
+  for (size_t i = 0; i < roots.size(); ++i)
+    grid.corners[i] = {morton_key(morton_point(grid.cells[roots[i] / kCornersPerCell].place) +
+                                  corner_offset(roots[i] % kCornersPerCell)),
+                       roots[i]};
   parallel_sort(grid.corners.begin(), grid.corners.end(), std::less<>());
+  std::vector<int32_t> index;
+  resize_touched(index, nodes);
+#pragma omp parallel for schedule(static)
   for (int32_t i = 0; i < grid.corner_count(); ++i) index[grid.corners[i].component] = i;
-  grid.cell_corners.resize(grid.cells.size());
+  resize_touched(grid.cell_corners, grid.cells.size());
+#pragma omp parallel for schedule(static)
   for (int32_t c = 0; c < grid.cell_count(); ++c)
     for (int a = 0; a < kCornersPerCell; ++a)
       grid.cell_corners[c][a] = index[joined.root(kCornersPerCell * c + a)];
 }
 
 void find_cells_of_corners(SparseGrid& grid) {
-  CellCorners none;
-  none.fill(kNone);
-  grid.cells_of_corner.assign(grid.corners.size(), none);
-  std::vector<char> is_crowded(grid.corners.size());
+  clear_cells_of_corners(grid);
+  std::vector<uint8_t> is_crowded(grid.corners.size());
+#pragma omp parallel for schedule(static)
   for (int32_t c = 0; c < grid.cell_count(); ++c)
     for (int a = 0; a < kCornersPerCell; ++a) {
       const int32_t corner = grid.cell_corners[c][a];
       int32_t& at = grid.cells_of_corner[corner][a];
-      is_crowded[corner] |= at != kNone;
-      at = c;
+      if (__atomic_exchange_n(&at, c, __ATOMIC_RELAXED) != kNone)
+        __atomic_store_n(&is_crowded[corner], uint8_t{1}, __ATOMIC_RELAXED);
     }
+#pragma omp parallel for schedule(static)
   for (size_t i = 0; i < is_crowded.size(); ++i)
-    if (is_crowded[i]) grid.cells_of_corner[i] = none;
+    if (is_crowded[i] != 0) grid.cells_of_corner[i].fill(kNone);
 }
 
 }  // namespace
@@ -175,8 +206,8 @@ void find_cells_of_corners(SparseGrid& grid) {
 CoarseGrid join_sheets(const SparseGrid& fine) {
   CoarseGrid coarse;
   coarse.grid = make_parent_grid(fine);
-  coarse.parent_cell.resize(fine.cells.size());
-  coarse.from.resize(fine.corners.size());
+  resize_touched(coarse.parent_cell, fine.cells.size());
+  resize_touched(coarse.from, fine.corners.size());
 #pragma omp parallel for schedule(static)
   for (int32_t c = 0; c < fine.cell_count(); ++c)
     coarse.parent_cell[c] = find_key(coarse.grid.cells, parent_key(fine.cells[c]));
@@ -192,6 +223,7 @@ CoarseGrid keep_sheets_apart(int depth, std::span<const GridKey> cells,
   coarse.grid.depth = depth;
   coarse.grid.cells = Parents(cells, cell_corners).number(coarse.parent_cell);
   coarse.from.assign(corner_count, {kNone, 0});
+  find_places_of_corners(cells, cell_corners, coarse);
   DisjointSets joined = join_corners(cells, cell_corners, coarse);
   number_corners(joined, coarse.grid);
   find_cells_of_corners(coarse.grid);

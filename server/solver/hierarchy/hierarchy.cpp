@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/base/resize_touched.h"
+#include "common/base/select_numbers.h"
 #include "server/solver/hierarchy/coarse_grid.h"
 #include "server/solver/hierarchy/sheets/crumbs.h"
 #include "server/solver/hierarchy/sheets/sheet_corners.h"
@@ -20,10 +22,8 @@ constexpr int64_t kIrregularRowMax = 4096;  // entries
 Groups<int32_t> children_of(const std::vector<int32_t>& parent_cell, const HierarchyDepth& coarse) {
   std::vector<int32_t> parent_of_child = parent_cell;
   for (int32_t cell : coarse.shares.apart) parent_of_child[cell] = kNone;
-  return group_by<int32_t>(coarse.grid.cells.size(), [&](auto&& add) {
-    for (size_t c = 0; c < parent_of_child.size(); ++c)
-      if (parent_of_child[c] != kNone) add(parent_of_child[c], static_cast<int32_t>(c));
-  });
+  return group_numbers(coarse.grid.cells.size(), static_cast<int32_t>(parent_of_child.size()),
+                       [&](int32_t cell) { return parent_of_child[cell]; });
 }
 
 HierarchyDepth make_parent_depth(HierarchyDepth& fine, CoarseGrid coarse, TiesAndShares numbers) {
@@ -56,18 +56,15 @@ CoarseGrid keep_sheets_apart(const SparseGrid& finest, const SheetCorners& sheet
   std::vector<char> is_of_crumb(sheets.copy_count);
   for (const Crumb& crumb : crumbs)
     for (const int32_t copy : crumb.copies) is_of_crumb[copy] = 1;
-  std::vector<GridKey> cells;
-  std::vector<std::array<int32_t, kCornersPerCell>> corners;
-  for (size_t s = 0; s < sheets.cell.size(); ++s) {
-    if (is_of_crumb[sheets.corners[s][0]]) continue;
-    cells.push_back(sheets.cell[s]);
-    corners.push_back(sheets.corners[s]);
-  }
-  CoarseGrid coarse = keep_sheets_apart(finest.depth - 1, cells, corners, sheets.copy_count);
-  auto parent = coarse.parent_cell.begin();
+  const std::vector<int32_t> kept =
+      select_numbers(static_cast<int32_t>(sheets.cell.size()),
+                     [&](int32_t s) { return is_of_crumb[sheets.corners[s][0]] == 0; });
+  CoarseGrid coarse = keep_sheets_apart(
+      finest.depth - 1, gather<GridKey>(sheets.cell, kept),
+      gather<std::array<int32_t, kCornersPerCell>>(sheets.corners, kept), sheets.copy_count);
   std::vector<int32_t> parents(sheets.cell.size(), kNone);
-  for (size_t s = 0; s < parents.size(); ++s)
-    if (!is_of_crumb[sheets.corners[s][0]]) parents[s] = *parent++;
+#pragma omp parallel for schedule(static)
+  for (size_t i = 0; i < kept.size(); ++i) parents[kept[i]] = coarse.parent_cell[i];
   coarse.parent_cell = std::move(parents);
   const std::vector<int32_t> anchors = find_anchors(crumbs, sheets);
   for (size_t i = 0; i < crumbs.size(); ++i) {
@@ -86,8 +83,10 @@ HierarchyDepth make_parents_of_finest(HierarchyDepth& finest, const SheetCorners
   finest.to_parent = make_transfer(coarse, sheets, finest.grid.corner_count());
   TiesAndShares numbers = share_cells(finest.grid, sheets, coarse);
   std::vector<int32_t> parent_of_sheet = std::move(coarse.parent_cell);
+  resize_touched(coarse.parent_cell, finest.grid.cells.size());
+#pragma omp parallel for schedule(static)
   for (int32_t cell = 0; cell < finest.grid.cell_count(); ++cell)
-    coarse.parent_cell.push_back(parent_of_sheet[sheets.first_of_cell[cell]]);
+    coarse.parent_cell[cell] = parent_of_sheet[sheets.first_of_cell[cell]];
   return make_parent_depth(finest, std::move(coarse), std::move(numbers));
 }
 

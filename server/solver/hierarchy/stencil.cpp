@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/base/resize_touched.h"
+#include "common/base/select_numbers.h"
 #include "common/grid/stencil_slots.h"
 #include "server/solver/hierarchy/cell_matrix.h"
 
@@ -33,7 +35,8 @@ Neighbours neighbours(const SparseGrid& grid, int32_t corner) {
 }
 
 std::vector<uint32_t> masks_of(const SparseGrid& grid, std::span<const CellTie> ties) {
-  std::vector<uint32_t> masks(grid.corners.size());
+  std::vector<uint32_t> masks;
+  resize_touched(masks, grid.corners.size());
 #pragma omp parallel for schedule(static)
   for (int32_t corner = 0; corner < grid.corner_count(); ++corner) {
     const Neighbours found = neighbours(grid, corner);
@@ -66,8 +69,8 @@ void order_window(const std::vector<int32_t>& length, int32_t first, int32_t las
 // Orders the stored rows of the corners: within each window by rising length, else as they are.
 void order_rows(const std::vector<int32_t>& length, Stencil& stencil) {
   const auto n = static_cast<int32_t>(length.size());
-  stencil.corner_of_row.resize(n);
-  stencil.row_of_corner.resize(n);
+  resize_touched(stencil.corner_of_row, n);
+  resize_touched(stencil.row_of_corner, n);
 #pragma omp parallel for schedule(static)
   for (int32_t first = 0; first < n; first += Stencil::kRowWindow) {
     const int32_t last = std::min(first + Stencil::kRowWindow, n);
@@ -95,7 +98,7 @@ std::vector<int32_t> lengths_of(const Stencil& stencil, const IrregularColumns& 
 
 void fill_columns(const SparseGrid& grid, const IrregularColumns& irregular, Stencil& stencil) {
   const int32_t n = grid.corner_count();
-  stencil.column.resize(stencil.row_start[n]);
+  resize_touched(stencil.column, stencil.row_start[n]);
 #pragma omp parallel for schedule(static)
   for (int32_t row = 0; row < n; ++row) {
     const int32_t corner = stencil.corner_of_row[row];
@@ -130,13 +133,14 @@ std::array<uint16_t, kPairsPerCell> entries_of_pairs(
 IrregularCells find_irregular_cells(const SparseGrid& grid, const Stencil& stencil) {
   IrregularCells found;
   if (stencil.irregular.corner.empty()) return found;
-  for (int32_t cell = 0; cell < grid.cell_count(); ++cell) {
-    const auto& corners = grid.cell_corners[cell];
-    const auto is_irregular = [&](int32_t corner) { return stencil.is_irregular(corner); };
-    if (std::ranges::none_of(corners, is_irregular)) continue;
-    found.cell.push_back(cell);
-    found.entry.push_back(entries_of_pairs(stencil, corners));
-  }
+  found.cell = select_numbers(grid.cell_count(), [&](int32_t cell) {
+    return std::ranges::any_of(grid.cell_corners[cell],
+                               [&](int32_t corner) { return stencil.is_irregular(corner); });
+  });
+  found.entry.resize(found.cell.size());
+#pragma omp parallel for schedule(static)
+  for (size_t i = 0; i < found.cell.size(); ++i)
+    found.entry[i] = entries_of_pairs(stencil, grid.cell_corners[found.cell[i]]);
   return found;
 }
 

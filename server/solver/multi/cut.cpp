@@ -19,8 +19,10 @@ std::vector<int64_t> weights_of_border(const Hierarchy& hierarchy, int border) {
   for (int depth = hierarchy.finest; depth > border; --depth) {
     std::vector<int64_t> of_parents(hierarchy.at(depth - 1).grid.cells.size());
     const std::vector<int32_t>& parent = hierarchy.at(depth).parent_cell;
+#pragma omp parallel for schedule(static)
     for (size_t c = 0; c < parent.size(); ++c)
-      if (parent[c] != kNone) of_parents[parent[c]] += weight[c];
+      if (parent[c] != kNone)
+        __atomic_add_fetch(&of_parents[parent[c]], weight[c], __ATOMIC_RELAXED);
     weight = std::move(of_parents);
   }
   return weight;
@@ -47,11 +49,18 @@ uint8_t owner_of_cell(const HierarchyDepth& depth, size_t cell,
   return 0;  // it floats
 }
 
+void lower_to(uint8_t& at, uint8_t value) {
+  uint8_t before = __atomic_load_n(&at, __ATOMIC_RELAXED);
+  while (before > value && !__atomic_compare_exchange_n(&at, &before, value, true, __ATOMIC_RELAXED,
+                                                        __ATOMIC_RELAXED)) {
+  }
+}
+
 std::vector<uint8_t> owners_of_corners(const SparseGrid& grid, const std::vector<uint8_t>& cell) {
   std::vector<uint8_t> owner(grid.corners.size(), kNobody);
+#pragma omp parallel for schedule(static)
   for (size_t c = 0; c < cell.size(); ++c)
-    for (const int32_t corner : grid.cell_corners[c])
-      owner[corner] = std::min(owner[corner], cell[c]);
+    for (const int32_t corner : grid.cell_corners[c]) lower_to(owner[corner], cell[c]);
   return owner;
 }
 
@@ -93,6 +102,7 @@ Cut cut_hierarchy(const Hierarchy& hierarchy, const Patches& patches, int shards
     const std::vector<uint8_t>& of_parents = cut.at(depth - 1).cell;
     Cut::Owners& owners = cut.owners[depth - border];
     owners.cell.resize(of.grid.cells.size());
+#pragma omp parallel for schedule(static)
     for (size_t c = 0; c < owners.cell.size(); ++c)
       owners.cell[c] = owner_of_cell(of, c, of_parents);
     owners.corner = owners_of_corners(of.grid, owners.cell);

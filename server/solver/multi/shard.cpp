@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/base/parallel.h"
+#include "common/base/select_numbers.h"
 #include "server/solver/multi/shard_depth.h"
 
 namespace burnish {
@@ -21,14 +22,6 @@ struct Arrays {
   std::vector<EvaluationPoint> evaluation;
 };
 
-template <typename T>
-std::vector<T> take(std::span<const T> from, std::span<const int32_t> which) {
-  std::vector<T> taken(which.size());
-#pragma omp parallel for schedule(static)
-  for (size_t i = 0; i < which.size(); ++i) taken[i] = from[which[i]];
-  return taken;
-}
-
 void take_sheets(const PreparedMesh& whole, const DepthSets& sets, const LocalIndices& local,
                  Arrays& arrays) {
   const auto cells = static_cast<int32_t>(whole.cells.size());
@@ -44,13 +37,14 @@ void take_sheets(const PreparedMesh& whole, const DepthSets& sets, const LocalIn
 void take_vertices(const PreparedMesh& whole, const Cut& cut, int number, const LocalIndices& local,
                    Arrays& arrays, std::vector<int32_t>& vertices) {
   const std::vector<uint8_t>& owner = cut.owners.back().cell;
-  for (size_t v = 0; v < whole.evaluation.size(); ++v) {
-    EvaluationPoint point = whole.evaluation[v];
-    if (point.cell == kNone || owner[point.cell] != number) continue;
-    point.cell = local.part[point.cell];
-    arrays.evaluation.push_back(point);
-    vertices.push_back(static_cast<int32_t>(v));
-  }
+  vertices = select_numbers(static_cast<int32_t>(whole.evaluation.size()), [&](int32_t v) {
+    const int32_t cell = whole.evaluation[v].cell;
+    return cell != kNone && owner[cell] == number;
+  });
+  arrays.evaluation = gather<EvaluationPoint>(whole.evaluation, vertices);
+#pragma omp parallel for schedule(static)
+  for (size_t i = 0; i < vertices.size(); ++i)
+    arrays.evaluation[i].cell = local.part[arrays.evaluation[i].cell];
 }
 
 // Has no vertices and no triangles: backends read neither.
@@ -155,9 +149,9 @@ Shard make_shard(const Multigrid& on, const Cut& cut, int number, const ShardSet
   shard.border = border_lists_of(sets.depths.front());
 
   auto arrays = std::make_shared<Arrays>();
-  arrays->cells = take(on.prepared->cells, shard.cells);
-  arrays->integrals = take(on.prepared->integrals, shard.cells);
-  arrays->curvature = take(on.prepared->curvature, shard.cells);
+  arrays->cells = gather<MortonKey>(on.prepared->cells, shard.cells);
+  arrays->integrals = gather<CellIntegrals>(on.prepared->integrals, shard.cells);
+  arrays->curvature = gather<CellCurvature>(on.prepared->curvature, shard.cells);
   take_sheets(*on.prepared, finest, local, *arrays);
   take_vertices(*on.prepared, cut, number, local, *arrays, shard.vertices);
   shard.on.prepared = with_arrays(*on.prepared, std::move(arrays));

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/base/resize_touched.h"
+#include "common/base/select_numbers.h"
 #include "server/solver/hierarchy/sources.h"
 
 namespace burnish {
@@ -21,13 +23,20 @@ SparseGrid take_grid(const SparseGrid& whole, const DepthSets& sets, const Local
     for (int a = 0; a < kCornersPerCell; ++a) mapped[a] = from[a] == kNone ? kNone : to[from[a]];
     return mapped;
   };
-  for (const int32_t cell : cells_of(sets)) {
-    grid.cells.push_back(whole.cells[cell]);
-    grid.cell_corners.push_back(map(whole.cell_corners[cell], local.corner));
+  const std::span<const int32_t> cells = cells_of(sets);
+  resize_touched(grid.cells, cells.size());
+  resize_touched(grid.cell_corners, cells.size());
+#pragma omp parallel for schedule(static)
+  for (size_t c = 0; c < cells.size(); ++c) {
+    grid.cells[c] = whole.cells[cells[c]];
+    grid.cell_corners[c] = map(whole.cell_corners[cells[c]], local.corner);
   }
-  for (const int32_t corner : sets.corners) {
-    grid.corners.push_back(whole.corners[corner]);
-    grid.cells_of_corner.push_back(map(whole.cells_of_corner[corner], local.part));
+  resize_touched(grid.corners, sets.corners.size());
+  resize_touched(grid.cells_of_corner, sets.corners.size());
+#pragma omp parallel for schedule(static)
+  for (size_t i = 0; i < sets.corners.size(); ++i) {
+    grid.corners[i] = whole.corners[sets.corners[i]];
+    grid.cells_of_corner[i] = map(whole.cells_of_corner[sets.corners[i]], local.part);
   }
   return grid;
 }
@@ -51,10 +60,13 @@ void take_transfer(const HierarchyDepth& whole, const DepthSets& sets, const Loc
   const DepthTransfer& from = whole.to_parent;
   DepthTransfer& to = made.to_parent;
   to.shared.start = {0};
-  to.prolongation.assign(sets.corners.size(), {kNone, 0});
-  for (int32_t i = 0; i < sets.own; ++i)
-    if (const FromCell& of = from.prolongation[sets.corners[i]]; of.cell != kNone)
-      to.prolongation[i] = {coarse.part[of.cell], of.place};
+  resize_touched(to.prolongation, sets.corners.size());
+#pragma omp parallel for schedule(static)
+  for (int32_t i = 0; i < static_cast<int32_t>(sets.corners.size()); ++i) {
+    const FromCell of = i < sets.own ? from.prolongation[sets.corners[i]] : FromCell{kNone, 0};
+    to.prolongation[i] =
+        of.cell == kNone ? FromCell{kNone, 0} : FromCell{coarse.part[of.cell], of.place};
+  }
   for (int32_t s = 0; s < from.shared.count(); ++s) {
     const int32_t corner = local.corner[from.shared.corner[s]];
     if (corner == kNone || corner >= sets.own) continue;
@@ -66,10 +78,11 @@ void take_transfer(const HierarchyDepth& whole, const DepthSets& sets, const Loc
     to.shared.start.push_back(static_cast<int32_t>(to.shared.coarse_corner.size()));
   }
   make_restriction(coarse_grid, sets.own, to);
-  made.parent_cell.reserve(sets.cells);
-  for (const int32_t cell : cells_of(sets)) {
-    const int32_t parent = whole.parent_cell[cell];
-    made.parent_cell.push_back(parent == kNone ? kNone : coarse.part[parent]);
+  resize_touched(made.parent_cell, sets.cells);
+#pragma omp parallel for schedule(static)
+  for (int32_t cell = 0; cell < sets.cells; ++cell) {
+    const int32_t parent = whole.parent_cell[sets.parts[cell]];
+    made.parent_cell[cell] = parent == kNone ? kNone : coarse.part[parent];
   }
 }
 
@@ -118,18 +131,22 @@ CellShares take_shares(const HierarchyDepth& whole, const DepthSets& sets,
 
 void take_sources(const HierarchyDepth& whole, const DepthSets& sets, const LocalIndices& local,
                   const NeighbourDepth& fine, HierarchyDepth& made) {
+  const auto children_of = [&](int32_t cell) {
+    return sets.is_made[cell] != 0 ? whole.children[sets.parts[cell]] : std::span<const int32_t>();
+  };
+  std::vector<int32_t>& start = made.children.start;
+  for (int32_t cell = 0; cell < sets.cells; ++cell)
+    start.push_back(start.back() + static_cast<int32_t>(children_of(cell).size()));
+  resize_touched(made.children.item, start.back());
   std::vector<uint8_t> is_child(fine.sets.cells, 0);
+#pragma omp parallel for schedule(static)
   for (int32_t cell = 0; cell < sets.cells; ++cell) {
-    std::vector<int32_t> children;
-    if (sets.is_made[cell] != 0)
-      for (const int32_t child : whole.children[sets.parts[cell]])
-        children.push_back(fine.local.part[child]);
-    for (const int32_t child : children) is_child[child] = 1;
-    made.children.add(children);
+    int32_t* next = made.children.item.data() + start[cell];
+    for (const int32_t child : children_of(cell)) is_child[*next++ = fine.local.part[child]] = 1;
   }
   made.shares = take_shares(whole, sets, local, fine);
-  for (int32_t cell = 0; cell < fine.sets.cells; ++cell)
-    if (is_child[cell] == 0) made.shares.apart.push_back(cell);
+  made.shares.apart =
+      select_numbers(fine.sets.cells, [&](int32_t cell) { return is_child[cell] == 0; });
 }
 
 void add_stencil(HierarchyDepth& depth) {
@@ -142,8 +159,10 @@ void add_stencil(HierarchyDepth& depth) {
 
 LocalIndices::LocalIndices(const HierarchyDepth& whole, const DepthSets& sets)
     : corner(whole.grid.corners.size(), kNone), part(part_count(whole), kNone) {
+#pragma omp parallel for schedule(static)
   for (size_t i = 0; i < sets.corners.size(); ++i)
     corner[sets.corners[i]] = static_cast<int32_t>(i);
+#pragma omp parallel for schedule(static)
   for (size_t i = 0; i < sets.parts.size(); ++i) part[sets.parts[i]] = static_cast<int32_t>(i);
 }
 

@@ -2,32 +2,57 @@
 
 #include <algorithm>
 
+#include "common/base/select_numbers.h"
 #include "common/base/sort_once.h"
 #include "server/solver/hierarchy/half_way.h"
-#include "server/solver/hierarchy/index_set.h"
 #include "server/solver/hierarchy/sources.h"
 
 namespace burnish {
 
 namespace {
 
-// Calls visit(coarse corner) for the corners from which these fine corners are prolonged.
+/// A set of indices below a bound. Threads may insert at once.
+class MarkedIndices {
+ public:
+  explicit MarkedIndices(size_t bound) : has_(bound, 0) {}
+
+  void insert(int32_t index) { __atomic_store_n(&has_[index], uint8_t{1}, __ATOMIC_RELAXED); }
+  bool contains(int32_t index) const {
+    return __atomic_load_n(&has_[index], __ATOMIC_RELAXED) != 0;
+  }
+  std::vector<int32_t> rising() const {
+    return select_numbers(static_cast<int32_t>(has_.size()),
+                          [this](int32_t index) { return contains(index); });
+  }
+
+ private:
+  std::vector<uint8_t> has_;
+};
+
+template <typename Visit>
+void for_each(std::span<const int32_t> indices, const Visit& visit) {
+#pragma omp parallel for schedule(static)
+  for (size_t i = 0; i < indices.size(); ++i) visit(indices[i]);
+}
+
+// Calls visit(coarse corner) for the corners from which these fine corners are prolonged, from
+// several threads.
 template <typename Visit>
 void visit_prolonged_from(const HierarchyDepth& fine, const HierarchyDepth& coarse,
                           std::span<const int32_t> fine_corners, Visit&& visit) {
   const DepthTransfer& transfer = fine.to_parent;
-  for (const int32_t i : fine_corners) {
+  for_each(fine_corners, [&](int32_t i) {
     if (!transfer.is_shared(i)) {
       const FromCell from = transfer.prolongation[i];
       const PositiveWeights& weights = positive_weights(from.place);
       for (int k = 0; k < weights.count; ++k)
         visit(coarse.grid.cell_corners[from.cell][weights.corner[k]]);
-      continue;
+      return;
     }
     const auto& shared = transfer.shared;
     const auto s = std::ranges::lower_bound(shared.corner, i) - shared.corner.begin();
     for (int32_t k = shared.start[s]; k < shared.start[s + 1]; ++k) visit(shared.coarse_corner[k]);
-  }
+  });
 }
 
 /// Finds the sets of one shard, depth by depth.
@@ -57,22 +82,24 @@ class Finder {
     const HierarchyDepth& of = whole(depth);
     const Cut::Owners& owners = cut_.at(depth);
     DepthSets& sets = found_.at(depth);
-    for (int32_t i = 0; i < of.grid.corner_count(); ++i)
-      if (owners.corner[i] == shard_) sets.corners.push_back(i);
+    sets.corners = select_numbers(of.grid.corner_count(),
+                                  [&](int32_t i) { return owners.corner[i] == shard_; });
     sets.own = static_cast<int32_t>(sets.corners.size());
-    IndexSet ghosts(of.grid.corners.size());
+    MarkedIndices ghosts(of.grid.corners.size());
     const auto add = [&](int32_t corner) {
       if (owners.corner[corner] != shard_) ghosts.insert(corner);
     };
     if (depth > cut_.border)
-      for (const int32_t i : own_corners(depth))
+      for_each(own_corners(depth), [&](int32_t i) {
         for (auto [k, end] = of.stencil.row(i); k < end; ++k) add(of.stencil.column[k]);
+      });
     if (depth == hierarchy_.finest)  // vertices lie in own cells
-      for (int32_t c = 0; c < of.grid.cell_count(); ++c)
-        if (owners.cell[c] == shard_) std::ranges::for_each(of.grid.cell_corners[c], add);
+      for_each(
+          select_numbers(of.grid.cell_count(), [&](int32_t c) { return owners.cell[c] == shard_; }),
+          [&](int32_t c) { std::ranges::for_each(of.grid.cell_corners[c], add); });
     if (depth < hierarchy_.finest)
       visit_prolonged_from(whole(depth + 1), of, own_corners(depth + 1), add);
-    const std::vector<int32_t> found = ghosts.take_rising();
+    const std::vector<int32_t> found = ghosts.rising();
     sets.ghosts = static_cast<int32_t>(found.size());
     sets.corners.insert(sets.corners.end(), found.begin(), found.end());
   }
@@ -86,14 +113,14 @@ class Finder {
 
   void find_parts_of_border() {
     const HierarchyDepth& border = whole(cut_.border);
-    IndexSet parts(part_count(border));
+    MarkedIndices parts(part_count(border));
     for (int32_t part = 0; part < static_cast<int32_t>(part_count(border)); ++part)
       if (shard_ == 0 || makes_part_of_border(part)) parts.insert(part);
     const HierarchyDepth& fine = whole(cut_.border + 1);
     for (const int32_t i : own_corners(cut_.border + 1))
       if (!fine.to_parent.is_shared(i)) parts.insert(fine.to_parent.prolongation[i].cell);
     insert_cells_of_parts(border, parts);
-    set_parts(cut_.border, parts.take_rising());
+    set_parts(cut_.border, parts.rising());
     DepthSets& sets = found_.at(cut_.border);
     for (size_t i = 0; i < sets.parts.size(); ++i)
       sets.is_made[i] = makes_part_of_border(sets.parts[i]);
@@ -101,18 +128,20 @@ class Finder {
 
   void find_parts(int depth) {
     const HierarchyDepth& of = whole(depth);
-    IndexSet parts(part_count(of));
+    MarkedIndices parts(part_count(of));
     const auto insert = [&](int32_t part) { parts.insert(part); };
-    for (const int32_t corner : found_.at(depth).corners) visit_parts_of_row(of, corner, insert);
+    for_each(found_.at(depth).corners,
+             [&](int32_t corner) { visit_parts_of_row(of, corner, insert); });
     const DepthSets& above = found_.at(depth - 1);
+#pragma omp parallel for schedule(static)
     for (size_t i = 0; i < above.parts.size(); ++i)
       if (above.is_made[i] != 0) visit_sources(whole(depth - 1), above.parts[i], insert);
     insert_cells_of_parts(of, parts);
-    set_parts(depth, parts.take_rising());
+    set_parts(depth, parts.rising());
   }
 
   // Inserts the cells that ties couple, and those of sheets.
-  void insert_cells_of_parts(const HierarchyDepth& of, IndexSet& parts) const {
+  void insert_cells_of_parts(const HierarchyDepth& of, MarkedIndices& parts) const {
     const int32_t cells = of.grid.cell_count();
     for (size_t t = 0; t < of.ties.size(); ++t)
       if (parts.contains(cells + static_cast<int32_t>(t))) {
@@ -134,13 +163,13 @@ class Finder {
   void find_fringe(int depth) {
     const SparseGrid& grid = whole(depth).grid;
     DepthSets& sets = found_.at(depth);
-    std::vector<uint8_t> is_known(grid.corners.size(), 0);
-    for (const int32_t corner : sets.corners) is_known[corner] = 1;
-    IndexSet fringe(grid.corners.size());
-    for (const int32_t cell : std::span(sets.parts).first(sets.cells))
+    MarkedIndices known(grid.corners.size()), fringe(grid.corners.size());
+    for_each(sets.corners, [&](int32_t corner) { known.insert(corner); });
+    for_each(std::span(sets.parts).first(sets.cells), [&](int32_t cell) {
       for (const int32_t corner : grid.cell_corners[cell])
-        if (is_known[corner] == 0) fringe.insert(corner);
-    const std::vector<int32_t> found = fringe.take_rising();
+        if (!known.contains(corner)) fringe.insert(corner);
+    });
+    const std::vector<int32_t> found = fringe.rising();
     sets.corners.insert(sets.corners.end(), found.begin(), found.end());
   }
 

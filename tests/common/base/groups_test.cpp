@@ -6,7 +6,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/base/disjoint_sets.h"
+#include "common/base/parallel.h"
 #include "common/base/parse_number.h"
+#include "common/base/select_numbers.h"
 #include "common/base/sort_once.h"
 #include "common/base/text.h"
 
@@ -44,6 +47,45 @@ TEST(Groups, GrowByOneAtTheEnd) {
   EXPECT_EQ(groups.count(), 2u);
   EXPECT_THAT(groups[0], ElementsAre(7, 8));
   EXPECT_THAT(groups[1], IsEmpty());
+}
+
+TEST(Groups, OfNumbersRiseForAnyNumberOfThreads) {
+  constexpr int32_t kCount = 100'000;
+  constexpr int32_t kGroups = 1000;
+  const auto group_of = [](int32_t i) { return i % 7 == 0 ? -1 : i * 31 % kGroups; };
+  const auto expected = group_by<int32_t>(kGroups, [&](auto&& add) {
+    for (int32_t i = 0; i < kCount; ++i)
+      if (group_of(i) >= 0) add(group_of(i), i);
+  });
+  for (const int threads : {1, 4}) {
+    use_threads(threads);
+    const Groups<int32_t> made = group_numbers(kGroups, kCount, group_of);
+    EXPECT_EQ(made.start, expected.start);
+    EXPECT_EQ(made.item, expected.item);
+  }
+  EXPECT_EQ(group_numbers(3, 0, group_of).start, std::vector<int32_t>(4, 0));
+}
+
+TEST(SelectNumbers, FindsThemRisingForAnyNumberOfThreads) {
+  for (const int32_t count : {0, 1, (1 << 14) - 1, 1 << 14, (1 << 14) + 1, 100'000}) {
+    const auto is_taken = [](int32_t i) { return i % 3 == 0 || i % 1000 < 20; };
+    std::vector<int32_t> expected;
+    for (int32_t i = 0; i < count; ++i)
+      if (is_taken(i)) expected.push_back(i);
+    for (const int threads : {1, 4}) {
+      use_threads(threads);
+      EXPECT_EQ(select_numbers(count, is_taken), expected);
+    }
+  }
+}
+
+TEST(DisjointSets, HaveTheirLeastNumberAsRootInWhateverOrderThreadsJoin) {
+  constexpr int32_t kCount = 200'000;
+  use_threads(8);
+  DisjointSets sets(kCount);
+#pragma omp parallel for schedule(dynamic, 1)
+  for (int32_t i = kCount - 1; i >= 10; --i) sets.join(i, i - 10);
+  for (int32_t i = 0; i < kCount; ++i) ASSERT_EQ(sets.root(i), i % 10);
 }
 
 TEST(SortOnce, KeepsEachValueOnce) {

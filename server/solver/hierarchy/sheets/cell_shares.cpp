@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "common/base/select_numbers.h"
 #include "common/base/sort_once.h"
 #include "server/solver/hierarchy/half_way.h"
 
@@ -171,11 +172,27 @@ std::vector<int32_t> cells_apart(const SparseGrid& finest, const SheetCorners& s
   for (int32_t corner : sheets.shared)
     for (int32_t cell : finest.cells_of_corner[corner])
       if (cell != kNone) cells.push_back(cell);
-  for (int32_t cell = 0; cell < finest.cell_count(); ++cell)
-    if (sheets.has_several(cell) || coarse.parent_cell[sheets.first_of_cell[cell]] == kNone)
-      cells.push_back(cell);
+  const std::vector<int32_t> without_one_parent =
+      select_numbers(finest.cell_count(), [&](int32_t cell) {
+        return sheets.has_several(cell) || coarse.parent_cell[sheets.first_of_cell[cell]] == kNone;
+      });
+  cells.insert(cells.end(), without_one_parent.begin(), without_one_parent.end());
   sort_once(cells);
   return cells;
+}
+
+// Returns the cells whose parent has eight children before them.
+std::vector<int32_t> cells_beyond_eight(const CoarseGrid& coarse) {
+  const auto cells = static_cast<int32_t>(coarse.parent_cell.size());
+  std::vector<int32_t> children(coarse.grid.cells.size());
+#pragma omp parallel for schedule(static)
+  for (int32_t c = 0; c < cells; ++c)
+    __atomic_add_fetch(&children[coarse.parent_cell[c]], 1, __ATOMIC_RELAXED);
+  std::vector<int32_t> crowded =
+      select_numbers(cells, [&](int32_t c) { return children[coarse.parent_cell[c]] > 8; });
+  for (const int32_t c : crowded) children[coarse.parent_cell[c]] = 0;
+  std::erase_if(crowded, [&](int32_t c) { return ++children[coarse.parent_cell[c]] <= 8; });
+  return crowded;
 }
 
 void share_sheet(const Parts& parts, int32_t source, Collector& collector) {
@@ -204,15 +221,9 @@ TiesAndShares share_cells(const SparseGrid& finest, const SheetCorners& sheets,
 TiesAndShares share_ties(const SparseGrid& fine, std::span<const CellTie> ties,
                          const CoarseGrid& coarse) {
   Collector collector;
-  std::vector<int32_t> apart;
-  std::vector<uint8_t> children(coarse.grid.cells.size());
-  for (int32_t c = 0; c < fine.cell_count(); ++c) {
+  std::vector<int32_t> apart = cells_beyond_eight(coarse);
+  for (const int32_t c : apart) {
     const int32_t parent = coarse.parent_cell[c], octant = octant_of(fine.cells[c]);
-    if (children[parent] < 8) {
-      ++children[parent];
-      continue;
-    }
-    apart.push_back(c);
     collector.add(parent, parent, {c, octant, octant, 0}, 0xff, 0xff);
   }
   for (size_t t = 0; t < ties.size(); ++t) {

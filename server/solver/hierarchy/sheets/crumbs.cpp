@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/base/disjoint_sets.h"
+#include "common/base/select_numbers.h"
 #include "common/base/sort_once.h"
 #include "server/solver/hierarchy/corner_sets.h"
 #include "server/solver/hierarchy/patches.h"
@@ -29,14 +30,19 @@ Corners corners_of_copies(const SparseGrid& finest, const SheetCorners& sheets) 
 // Returns the copies of each piece, the pieces by their least copy.
 std::vector<Corners> small_pieces(const SheetCorners& sheets) {
   DisjointSets joined(sheets.copy_count);
-  for (const auto& corners : sheets.corners)
-    for (const int32_t copy : corners) joined.join(corners[0], copy);
+#pragma omp parallel for schedule(static)
+  for (size_t s = 0; s < sheets.corners.size(); ++s)
+    for (const int32_t copy : sheets.corners[s]) joined.join(sheets.corners[s][0], copy);
   Corners size(sheets.copy_count), number(sheets.copy_count, kNone);
-  for (int32_t copy = 0; copy < sheets.copy_count; ++copy) ++size[joined.root(copy)];
+#pragma omp parallel for schedule(static)
+  for (int32_t copy = 0; copy < sheets.copy_count; ++copy)
+    __atomic_add_fetch(&size[joined.root(copy)], 1, __ATOMIC_RELAXED);
   std::vector<Corners> pieces;
-  for (int32_t copy = 0; copy < sheets.copy_count; ++copy) {
+  const Corners of_small = select_numbers(sheets.copy_count, [&](int32_t copy) {
+    return size[joined.root(copy)] <= static_cast<int32_t>(kPatchCornersMax);
+  });
+  for (const int32_t copy : of_small) {
     const int32_t root = joined.root(copy);
-    if (size[root] > kPatchCornersMax) continue;
     if (root == copy) {
       number[root] = static_cast<int32_t>(pieces.size());
       pieces.emplace_back();

@@ -1,5 +1,6 @@
 #include "server/solver/hierarchy/sheets/irregular_rows.h"
 
+#include "common/base/select_numbers.h"
 #include "server/solver/hierarchy/cell_matrix.h"
 
 namespace burnish {
@@ -18,11 +19,10 @@ class Sources {
  public:
   Sources(const SparseGrid& grid, std::span<const uint32_t> mask)
       : grid_(grid), row_of_corner_(mask.size(), kNone) {
-    for (size_t corner = 0; corner < mask.size(); ++corner) {
-      if (mask[corner] != 0) continue;
-      row_of_corner_[corner] = static_cast<int32_t>(corners_.size());
-      corners_.push_back(static_cast<int32_t>(corner));
-    }
+    corners_ =
+        select_numbers(grid.corner_count(), [&](int32_t corner) { return mask[corner] == 0; });
+    for (size_t i = 0; i < corners_.size(); ++i)
+      row_of_corner_[corners_[i]] = static_cast<int32_t>(i);
     rows_.resize(corners_.size());
   }
 
@@ -80,7 +80,11 @@ IrregularRows find_irregular_rows(const SparseGrid& grid, std::span<const CellTi
   rows.source_start = {0};
   columns.start = {0};
   if (rows.corner.empty()) return rows;
-  for (int32_t cell = 0; cell < grid.cell_count(); ++cell) sources.add_cell(cell);
+  const std::vector<int32_t> cells = select_numbers(grid.cell_count(), [&](int32_t cell) {
+    return std::ranges::any_of(grid.cell_corners[cell],
+                               [&](int32_t corner) { return mask[corner] == 0; });
+  });
+  for (const int32_t cell : cells) sources.add_cell(cell);
   for (size_t t = 0; t < ties.size(); ++t) sources.add_tie(ties[t], static_cast<int32_t>(t));
   for (size_t i = 0; i < rows.corner.size(); ++i) {
     const std::vector<Source>& row = sources.sorted_row(i);

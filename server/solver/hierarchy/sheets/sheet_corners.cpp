@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "common/base/resize_touched.h"
+#include "common/base/select_numbers.h"
 #include "common/grid/stencil_slots.h"
 #include "server/solver/hierarchy/cell_matrix.h"
 
@@ -52,34 +54,50 @@ class SheetFinder {
 
   SheetCorners take() {
     const int32_t corners = finest_.corner_count();
-    std::vector<char> is_shared(corners);
+    std::vector<uint8_t> copies(corners);
 #pragma omp parallel for schedule(static)
-    for (int32_t i = 0; i < corners; ++i) is_shared[i] = sheets_around(i).copies > 1;
-    found_.copy_count = corners;
+    for (int32_t i = 0; i < corners; ++i) copies[i] = static_cast<uint8_t>(sheets_around(i).copies);
+    found_.shared = select_numbers(corners, [&](int32_t i) { return copies[i] > 1; });
     found_.start = {0};
-    for (int32_t i = 0; i < corners; ++i)
-      if (is_shared[i]) add_shared(i);
+    for (const int32_t corner : found_.shared)
+      found_.start.push_back(found_.start.back() + copies[corner]);
+    const auto shared = static_cast<int32_t>(found_.shared.size());
+    found_.copy_count = corners + found_.start.back() - shared;
+    found_.copy.resize(found_.start.back());
+    found_.weight.resize(found_.start.back());
+#pragma omp parallel for schedule(dynamic, 256)
+    for (int32_t i = 0; i < shared; ++i) number_copies(i);
     return std::move(found_);
   }
 
  private:
   void list_sheets() {
-    const int32_t cells = finest_.cell_count();
-    size_t next = 0;  // of prepared_.sheets
-    for (int32_t c = 0; c < cells; ++c) {
-      found_.first_of_cell.push_back(static_cast<int32_t>(found_.source.size()));
-      const bool is_mixed = next < prepared_.sheets.size() && prepared_.sheets[next].cell == c;
-      if (!is_mixed) add_sheet(c, c);
-      for (; next < prepared_.sheets.size() && prepared_.sheets[next].cell == c; ++next)
-        add_sheet(c, cells + static_cast<int32_t>(next));
+    count_sheets();
+    const int32_t sheets = found_.first_of_cell.back();
+    resize_touched(found_.source, sheets);
+    resize_touched(found_.cell, sheets);
+    resize_touched(found_.corners, sheets);
+#pragma omp parallel for schedule(static)
+    for (int32_t c = 0; c < finest_.cell_count(); ++c)
+      for (int32_t s = found_.first_of_cell[c]; s < found_.first_of_cell[c + 1]; ++s) {
+        found_.source[s] = c;
+        found_.cell[s] = finest_.cells[c];
+        found_.corners[s] = finest_.cell_corners[c];
+      }
+    int32_t before = kNone, sheet = 0;
+    for (size_t i = 0; i < prepared_.sheets.size(); ++i) {
+      const int32_t cell = prepared_.sheets[i].cell;
+      sheet = cell == before ? sheet + 1 : found_.first_of_cell[cell];
+      found_.source[sheet] = finest_.cell_count() + static_cast<int32_t>(i);
+      before = cell;
     }
-    found_.first_of_cell.push_back(static_cast<int32_t>(found_.source.size()));
   }
 
-  void add_sheet(int32_t cell, int32_t source) {
-    found_.source.push_back(source);
-    found_.cell.push_back(finest_.cells[cell]);
-    found_.corners.push_back(finest_.cell_corners[cell]);
+  void count_sheets() {
+    std::vector<int32_t>& first = found_.first_of_cell;
+    resize_touched(first, finest_.cells.size() + 1);
+    for (const CellSheet& sheet : prepared_.sheets) ++first[sheet.cell + 1];
+    for (size_t c = 1; c < first.size(); ++c) first[c] = first[c - 1] + std::max(first[c], 1);
   }
 
   const CellSheet* of_several(int32_t sheet) const {
@@ -118,9 +136,11 @@ class SheetFinder {
         around.sheets[around.count] = {side, s, around.count};
     }
     around.copies = around.count;
-    for (const SheetAtCorner& a : around)
+    for (const SheetAtCorner& a : around) {
+      if (around.copies == 1) break;
       for (const SheetAtCorner& b : around)
         if (a.copy != b.copy && hang_together(a, b)) join(a.copy, b.copy, around);
+    }
     for (int i = 1; i < around.count && around.copies > 1; ++i)
       if (around.sheets[i].copy == i) join_what_is_near(corner, around.sheets[i], around);
     return around;
@@ -181,8 +201,9 @@ class SheetFinder {
     return energy;
   }
 
-  // Numbers the copies of a corner and weighs them. A copy is known by its first sheet.
-  void add_shared(int32_t corner) {
+  // Numbers the copies of a shared corner and weighs them. A copy is known by its first sheet.
+  void number_copies(int32_t shared) {
+    const int32_t corner = found_.shared[shared];
     const Around around = sheets_around(corner);
     std::array<double, kCornersPerCell* kSheetsPerCellMax> energy = {};
     double total = 0;
@@ -191,18 +212,19 @@ class SheetFinder {
       total += energy_of(at);
     }
     std::array<int32_t, kCornersPerCell * kSheetsPerCellMax> number;
-    bool is_first = true;
+    const int32_t begin = found_.start[shared];
+    // Beyond all corners come the further copies of the shared ones, all but one of each.
+    const int32_t further = finest_.corner_count() + begin - shared - 1;
+    int32_t copy = 0;
     for (int i = 0; i < around.count; ++i) {
       if (around.sheets[i].copy != i) continue;
-      number[i] = is_first ? corner : found_.copy_count++;
-      is_first = false;
-      found_.copy.push_back(number[i]);
-      found_.weight.push_back(
-          static_cast<float>(total > 0 ? energy[i] / total : 1.0 / around.copies));
+      number[i] = copy == 0 ? corner : further + copy;
+      found_.copy[begin + copy] = number[i];
+      found_.weight[begin + copy] =
+          static_cast<float>(total > 0 ? energy[i] / total : 1.0 / around.copies);
+      ++copy;
     }
     for (const SheetAtCorner& at : around) found_.corners[at.sheet][at.side] = number[at.copy];
-    found_.shared.push_back(corner);
-    found_.start.push_back(static_cast<int32_t>(found_.copy.size()));
   }
 
   const PreparedMesh& prepared_;
