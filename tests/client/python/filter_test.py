@@ -5,6 +5,7 @@ import inspect
 import os
 import pathlib
 import subprocess
+import sys
 import tempfile
 import unittest
 import unittest.mock
@@ -14,8 +15,30 @@ import numpy as np
 import burnish
 import scan
 from burnish.options import OptionWords
+from burnish.program import find_program
 
+PROGRAMS = pathlib.Path(__file__).parents[3] / "client/python/programs"
 QUICK = {"depth": 4, "cycles": 1}
+
+
+class Program(unittest.TestCase):
+    def test_is_that_of_the_wheel_where_neither_a_variable_nor_the_path_has_one(self):
+        with tempfile.TemporaryDirectory() as folder:
+            wheel = pathlib.Path(folder) / "burnish_programs"
+            wheel.mkdir()
+            (wheel / "__init__.py").write_text(
+                (PROGRAMS / "burnish_programs/__init__.py").read_text("utf-8"), "utf-8")
+            with unittest.mock.patch.dict(os.environ, {"PATH": ""}), \
+                    unittest.mock.patch("sys.path", [folder]):
+                del os.environ["BURNISH_BINARY"]
+                self.assertEqual(find_program(), str(wheel / "bin" / "burnish"))
+        sys.modules.pop("burnish_programs")
+
+    def test_that_is_nowhere_names_what_to_install(self):
+        with unittest.mock.patch.dict(os.environ, {"PATH": ""}):
+            del os.environ["BURNISH_BINARY"]
+            with self.assertRaisesRegex(burnish.NotFound, "burnish-programs.*BURNISH_BINARY"):
+                find_program()
 
 
 class Filter(unittest.TestCase):
