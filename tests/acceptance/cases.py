@@ -74,6 +74,9 @@ PARTS = {
 SINGLE = tuple(Case(name, (*options, *(() if name in ("beta", "stroke") else (("--beta", "0.3"),))))
                for name, options in PARTS.items())
 
+# Any edit, as a script writes it.
+LINES = (_case("lines", ("--edit", f"curve {CURVE}"), ("--edit", "beta 0.3")),)
+
 # Only the filter keeps edges.
 EDGES = (
     _case("edges", ("--keep-edges", "machined")),

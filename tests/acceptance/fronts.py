@@ -191,7 +191,14 @@ def _bands(settings):
     return [value for name, value in settings if name == "--band"]
 
 
+def _without_lines(settings):
+    """Returns the settings with an option of its own for each line of --edit."""
+    return [("--" + value.split()[0], value.split(maxsplit=1)[1]) if name == "--edit"
+            else (name, value) for name, value in settings]
+
+
 def _script_lines(settings):
+    settings = _without_lines(settings)
     given = dict(settings)
     lines = []
     if "--preset" in given:
@@ -232,6 +239,7 @@ def can_python(settings):
 
 
 def _changes(settings):
+    settings = _without_lines(settings)
     given = dict(settings)
     changes = []
     if "--curve" in given:

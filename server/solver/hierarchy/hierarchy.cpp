@@ -53,6 +53,8 @@ uint8_t nearest_place(const GridKey& cell, const GridKey& corner) {
 // values from the cell at its anchor.
 CoarseGrid keep_sheets_apart(const SparseGrid& finest, const SheetCorners& sheets,
                              std::span<const Crumb> crumbs) {
+  if (crumbs.empty())
+    return keep_sheets_apart(finest.depth - 1, sheets.cell, sheets.corners, sheets.copy_count);
   std::vector<char> is_of_crumb(sheets.copy_count);
   for (const Crumb& crumb : crumbs)
     for (const int32_t copy : crumb.copies) is_of_crumb[copy] = 1;
@@ -110,13 +112,14 @@ std::vector<HierarchyDepth> joined_depths(SparseGrid finest) {
   return depths;
 }
 
-std::vector<HierarchyDepth> depths_apart(SparseGrid finest, const SheetCorners& sheets,
+std::vector<HierarchyDepth> depths_apart(SparseGrid finest, SheetCorners sheets,
                                          std::span<const Crumb> crumbs) {
   std::vector<HierarchyDepth> depths(1);
   depths[0].grid = std::move(finest);
-  while (!is_coarsest(depths.back().grid))
-    depths.push_back(depths.size() == 1 ? make_parents_of_finest(depths.back(), sheets, crumbs)
-                                        : make_parents_apart(depths.back()));
+  if (is_coarsest(depths[0].grid)) return depths;
+  depths.push_back(make_parents_of_finest(depths[0], sheets, crumbs));
+  sheets = {};  // it is as large as the finest grid
+  while (!is_coarsest(depths.back().grid)) depths.push_back(make_parents_apart(depths.back()));
   return depths;
 }
 
@@ -151,13 +154,13 @@ std::vector<HierarchyDepth> make_depths(const PreparedMesh& prepared, Sheets she
                                         Patches& patches) {
   SparseGrid finest = make_finest_grid(prepared.frame.depth, prepared.cells);
   if (sheets == Sheets::kTogether) return joined_depths(std::move(finest));
-  const SheetCorners corners = find_sheet_corners(prepared, finest);
+  SheetCorners corners = find_sheet_corners(prepared, finest);
   if (corners.copy_count - finest.corner_count() > finest.corner_count() / kCornersPerExtraCopy) {
-    const SheetCorners whole = one_sheet_per_cell(finest);
-    return depths_apart(std::move(finest), whole, {});
+    corners = one_sheet_per_cell(finest);
+    return depths_apart(std::move(finest), std::move(corners), {});
   }
   const std::vector<Crumb> crumbs = crumbs_with_patches(finest, corners, patches);
-  std::vector<HierarchyDepth> depths = depths_apart(std::move(finest), corners, crumbs);
+  std::vector<HierarchyDepth> depths = depths_apart(std::move(finest), std::move(corners), crumbs);
   depths[0].sheet_count = static_cast<int32_t>(prepared.sheets.size());
   return depths;
 }
