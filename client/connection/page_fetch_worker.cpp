@@ -7,6 +7,7 @@
 #include "client/connection/connection_state.h"
 #include "client/connection/page_calls.h"
 #include "client/connection/sheet_calls.h"
+#include "client/pages/fetch_wishes.h"
 
 namespace burnish {
 
@@ -113,9 +114,6 @@ Status PageFetcher::Worker::listen(Call call, const std::vector<PageItem>& items
 
 Status PageFetcher::Worker::listen_for_pages(Call call, const std::vector<PageItem>& items,
                                              grpc::ClientContext& context, Reached& reached) {
-  PagesWish wish{.scan = scan_, .blocks = {}, .pages = {}};
-  for (const PageItem item : items)
-    (item.kind == PageItem::Kind::kPage ? wish.pages : wish.blocks).push_back(item.number);
   const Connection::PageTaker taker{
       .block =
           [&](PagePart part) {
@@ -125,17 +123,12 @@ Status PageFetcher::Worker::listen_for_pages(Call call, const std::vector<PageIt
           [&](PagePart part) {
             return on_part(call, PageItem::of_page(part.number), std::move(part.bytes));
           }};
-  return fetch_parts(reached.server.address, *reached.library, context, wish, taker);
+  return fetch_parts(reached.server.address, *reached.library, context, pages_wish(scan_, items),
+                     taker);
 }
 
 Status PageFetcher::Worker::listen_for_sheets(Call call, const std::vector<PageItem>& items,
                                               grpc::ClientContext& context, Reached& reached) {
-  SheetsWish wish{.scan = scan_, .blocks = {}, .charts = {}, .sheets = {}};
-  for (const PageItem item : items) {
-    if (item.kind == PageItem::Kind::kSheetBlock) wish.blocks.push_back(item.number);
-    if (item.kind == PageItem::Kind::kCharts) wish.charts.push_back(item.number);
-    if (item.kind == PageItem::Kind::kSheet) wish.sheets.push_back({item.number, item.halving});
-  }
   const Connection::SheetTaker taker{
       .block =
           [&](PagePart part) {
@@ -151,7 +144,8 @@ Status PageFetcher::Worker::listen_for_sheets(Call call, const std::vector<PageI
             return on_part(call, PageItem::of_sheet(part.number.page, halving),
                            std::move(part.bytes));
           }};
-  return fetch_sheet_parts(reached.server.address, *reached.library, context, wish, taker);
+  return fetch_sheet_parts(reached.server.address, *reached.library, context,
+                           sheets_wish(scan_, items), taker);
 }
 
 bool PageFetcher::Worker::on_part(Call call, PageItem item, std::vector<uint8_t> bytes) {

@@ -12,15 +12,17 @@ namespace burnish {
 struct PageItem {
   enum class Kind : uint8_t { kBlock, kPage, kSheetBlock, kCharts, kSheet };
 
-  Kind kind = Kind::kPage;
   uint32_t number = 0;  ///< of the page or the block
+  Kind kind = Kind::kPage;
   uint8_t halving = 0;  ///< of a sheet: 0 is the finest of the page
 
-  static PageItem of_page(PageId page) { return {Kind::kPage, page}; }
-  static PageItem of_block(uint32_t block) { return {Kind::kBlock, block}; }
-  static PageItem of_sheet_block(uint32_t block) { return {Kind::kSheetBlock, block}; }
-  static PageItem of_charts(PageId page) { return {Kind::kCharts, page}; }
-  static PageItem of_sheet(PageId page, uint8_t halving) { return {Kind::kSheet, page, halving}; }
+  static constexpr PageItem of_page(PageId page) { return {page, Kind::kPage}; }
+  static constexpr PageItem of_block(uint32_t block) { return {block, Kind::kBlock}; }
+  static constexpr PageItem of_sheet_block(uint32_t block) { return {block, Kind::kSheetBlock}; }
+  static constexpr PageItem of_charts(PageId page) { return {page, Kind::kCharts}; }
+  static constexpr PageItem of_sheet(PageId page, uint8_t halving) {
+    return {page, Kind::kSheet, halving};
+  }
   /// Returns whether the item is one of the sheets' file.
   bool is_of_sheets() const { return kind >= Kind::kSheetBlock; }
   auto operator<=>(const PageItem&) const = default;

@@ -31,6 +31,7 @@ inline constexpr size_t kTextureLevels = 3;
 /// The texture of a page, which replaces its vertices' colours in Colouring::kScan.
 struct PageTexture {
   std::vector<uint16_t> chart_of_triangle;  ///< one per triangle of the page; a number of a chart
+  std::vector<uint32_t> patch_ends;         ///< of each patch of the page: triangles up to its end
   std::vector<TextureChart> charts;
   std::array<TextureLevel, kTextureLevels> levels;
 

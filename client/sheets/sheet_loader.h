@@ -11,8 +11,8 @@
 #include "client/pages/page_requests.h"
 #include "client/pages/page_view.h"
 #include "client/sheets/known_sheets.h"
+#include "client/sheets/opened_texture.h"
 #include "client/sheets/sheet_store.h"
-#include "client/sheets/texture_decoder.h"
 
 namespace burnish {
 

@@ -8,11 +8,13 @@
 #include <utility>
 #include <vector>
 
+#include "client/surface/desk.h"
+
 namespace burnish {
 
 /// Turns jobs into results on a thread of its own, in the order in which they come.
 template <typename Job, typename Done>
-class DeskThread {
+class DeskThread final : public Desk<Job, Done> {
  public:
   /// `on_news`: take() has something; called from the thread.
   DeskThread(std::function<Done(const Job&)> work, std::function<void()> on_news)
@@ -20,14 +22,13 @@ class DeskThread {
         on_news_(std::move(on_news)),
         thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
-  void put(Job job) {
+  void put(Job job) override {
     const std::lock_guard lock(mutex_);
     jobs_.push_back(std::move(job));
     changed_.notify_one();
   }
 
-  /// Returns what is done since the last call.
-  std::vector<Done> take() {
+  std::vector<Done> take() override {
     const std::lock_guard lock(mutex_);
     return std::exchange(done_, {});
   }

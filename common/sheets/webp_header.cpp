@@ -28,6 +28,8 @@ class WebpBytes {
 };
 
 constexpr uint32_t kSideBits = (1u << 14) - 1;
+constexpr size_t kContainerBytes = 12;   // RIFF, its size, WEBP
+constexpr size_t kChunkHeaderBytes = 8;  // a name, a size
 
 Result<WebpHeader> lossy_header(const WebpBytes& bytes) {
   if (!bytes.has(23, "\x9d\x01\x2a")) return data_loss("its VP8 frame has no start code");
@@ -52,6 +54,23 @@ WebpHeader extended_header(const WebpBytes& bytes) {
           .is_animated = (bytes.number(20, 1) & kAnimation) != 0};
 }
 
+/// Returns the first chunk of texels; empty if there is none.
+std::span<const uint8_t> frame_of(std::span<const uint8_t> bytes) {
+  const WebpBytes file(bytes);
+  for (size_t at = kContainerBytes; at + kChunkHeaderBytes <= bytes.size();) {
+    const uint64_t content = file.number(at + 4, 4);
+    const uint64_t chunk = kChunkHeaderBytes + content + content % 2;
+    if (chunk > bytes.size() - at) break;
+    if (file.has(at, "VP8 ") || file.has(at, "VP8L")) return bytes.subspan(at, chunk);
+    at += chunk;
+  }
+  return {};
+}
+
+std::string size_text(uint32_t width, uint32_t height) {
+  return std::to_string(width) + "x" + std::to_string(height);
+}
+
 }  // namespace
 
 Result<WebpHeader> read_webp_header(std::span<const uint8_t> bytes) {
@@ -69,6 +88,31 @@ Result<WebpHeader> read_webp_header(std::span<const uint8_t> bytes) {
   if (header.has(12, "VP8L")) return lossless_header(header);
   if (header.has(12, "VP8X")) return extended_header(header);
   return data_loss("the WebP begins with none of the chunks VP8, VP8L and VP8X");
+}
+
+Status check_webp(std::span<const uint8_t> bytes, uint32_t width, uint32_t height,
+                  SheetCodec codec) {
+  ASSIGN_OR_RETURN(const WebpHeader header, read_webp_header(bytes));
+  if (header.is_animated) return data_loss("the WebP is animated, a sheet has one frame");
+  if (header.width != width || header.height != height)
+    return data_loss("the WebP has " + size_text(header.width, header.height) +
+                     " texels, the sheet " + size_text(width, height));
+  if (header.codec != codec)
+    return data_loss("the WebP has codec " + std::to_string(static_cast<int>(header.codec)) +
+                     ", the sheet " + std::to_string(static_cast<int>(codec)));
+  return Status::ok();
+}
+
+Result<std::vector<uint8_t>> opaque_webp(std::span<const uint8_t> bytes, uint32_t width,
+                                         uint32_t height, SheetCodec codec) {
+  RETURN_IF_ERROR(check_webp(bytes, width, height, codec));
+  const std::span<const uint8_t> frame = frame_of(bytes);
+  std::vector<uint8_t> alone(bytes.begin(), bytes.begin() + kContainerBytes);
+  alone.insert(alone.end(), frame.begin(), frame.end());
+  const auto rest = static_cast<uint32_t>(alone.size() - kChunkHeaderBytes);
+  for (size_t i = 0; i < 4; ++i) alone[4 + i] = static_cast<uint8_t>(rest >> 8 * i);
+  RETURN_IF_ERROR(check_webp(alone, width, height, codec));
+  return alone;
 }
 
 }  // namespace burnish

@@ -39,10 +39,6 @@ WebPConfig webp_config(SheetCodec codec) {
   return config;
 }
 
-std::string size_text(uint32_t width, uint32_t height) {
-  return std::to_string(width) + "x" + std::to_string(height);
-}
-
 }  // namespace
 
 Result<std::vector<uint8_t>> encode_webp(std::span<const Rgba8> texels, uint32_t width,
@@ -58,23 +54,10 @@ Result<std::vector<uint8_t>> encode_webp(std::span<const Rgba8> texels, uint32_t
   const int row_bytes = static_cast<int>(width * sizeof(Rgba8));
   const WebPConfig config = webp_config(codec);
   if (import(&picture, texels[0].data(), row_bytes) == 0 || WebPEncode(&config, &picture) == 0)
-    return resource_exhausted("a WebP of " + size_text(width, height) +
+    return resource_exhausted("a WebP of " + std::to_string(width) + "x" + std::to_string(height) +
                               " texels: libwebp fails with code " +
                               std::to_string(picture.error_code));
   return std::vector<uint8_t>(encoding.writer.mem, encoding.writer.mem + encoding.writer.size);
-}
-
-Status check_webp(std::span<const uint8_t> bytes, uint32_t width, uint32_t height,
-                  SheetCodec codec) {
-  ASSIGN_OR_RETURN(const WebpHeader header, read_webp_header(bytes));
-  if (header.is_animated) return data_loss("the WebP is animated, a sheet has one frame");
-  if (header.width != width || header.height != height)
-    return data_loss("the WebP has " + size_text(header.width, header.height) +
-                     " texels, the sheet " + size_text(width, height));
-  if (header.codec != codec)
-    return data_loss("the WebP has codec " + std::to_string(static_cast<int>(header.codec)) +
-                     ", the sheet " + std::to_string(static_cast<int>(codec)));
-  return Status::ok();
 }
 
 Result<std::vector<Rgba8>> decode_webp(std::span<const uint8_t> bytes, uint32_t width,

@@ -18,11 +18,6 @@ inline constexpr float kSheetQuality = 90;  // of lossy WebP, 0..100
 Result<std::vector<uint8_t>> encode_webp(std::span<const Rgba8> texels, uint32_t width,
                                          uint32_t height, SheetCodec codec);
 
-/// Checks that a WebP's header says this size and codec, and one frame, without decoding anything.
-/// Safe for any bytes. Fails: data_loss that names the damage.
-Status check_webp(std::span<const uint8_t> bytes, uint32_t width, uint32_t height,
-                  SheetCodec codec);
-
 /// Unpacks a WebP whose header says exactly this. Safe for any bytes: the header is compared before
 /// anything is decoded or memory is taken. Fails: data_loss that names the damage.
 Result<std::vector<Rgba8>> decode_webp(std::span<const uint8_t> bytes, uint32_t width,

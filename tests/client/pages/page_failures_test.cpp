@@ -8,7 +8,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr PageItem kItem = {PageItem::Kind::kPage, 7};
+constexpr PageItem kItem = PageItem::of_page(7);
 
 TEST(PageFailures, EachPauseIsTwiceTheLast) {
   PageFailures failures;

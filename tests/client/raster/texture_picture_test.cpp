@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "client/pages/page_view.h"
-#include "client/sheets/texture_decoder.h"
+#include "client/sheets/opened_texture.h"
 #include "common/generate/generate.h"
 #include "common/sheets/cut_charts.h"
 #include "tests/client/raster/twin_stage.h"
@@ -43,7 +43,7 @@ class TexturePicture : public TwinStage {
     Sheet sheet = baked_sheet(page, charts, per_step_float, pattern_on(page, wave_), 1);
     sheet.density = static_cast<float>(density);
     return std::make_shared<const PageTexture>(
-        make_page_texture(charts, std::move(sheet), split_.grid));
+        make_page_texture(page, charts, std::move(sheet), split_.grid));
   }
 
   void put_textures() {

@@ -166,6 +166,27 @@ TEST(SheetCodec, AWebpOfAnotherSizeOrKindIsRefusedUndecoded) {
   EXPECT_THAT(with_webp(widened), HasSubstr("does not decode"));
 }
 
+TEST(OpaqueWebp, HasTheSameTexelsWithoutTheirAlpha) {
+  const std::vector<uint8_t> bytes = webp_of(24, 17, SheetCodec::kLossyWebp, 9);
+  const std::vector<uint8_t> alone = opaque_webp(bytes, 24, 17, SheetCodec::kLossyWebp).value();
+  EXPECT_LT(alone.size(), bytes.size());
+  auto texels = decode_webp(bytes, 24, 17, SheetCodec::kLossyWebp).value();
+  for (Rgba8& texel : texels) texel[3] = 255;
+  EXPECT_EQ(decode_webp(alone, 24, 17, SheetCodec::kLossyWebp).value(), texels);
+  const std::vector<uint8_t> plain = webp_of(24, 17);
+  EXPECT_EQ(opaque_webp(plain, 24, 17, SheetCodec::kLossyWebp).value(), plain);
+}
+
+TEST(OpaqueWebp, AFrameOfAnotherSizeThanItsContainerIsRefused) {
+  std::vector<uint8_t> bytes = webp_of(25, 17, SheetCodec::kLossyWebp, 9);
+  bytes.at(24) = 23;
+  EXPECT_THAT(opaque_webp(bytes, 24, 17, SheetCodec::kLossyWebp).status().message(),
+              HasSubstr("25x17 texels, the sheet 24x17"));
+  bytes.at(34) = 0xff;  // the first chunk's size
+  EXPECT_THAT(opaque_webp(bytes, 24, 17, SheetCodec::kLossyWebp).status().message(),
+              HasSubstr("12 bytes"));
+}
+
 TEST(SheetLayoutCheck, RectanglesThatReachOutAreNamed) {
   const Page page = wavy_page(5, 100, 0);
   const PageCharts charts = cut_charts(page, 0.1);
