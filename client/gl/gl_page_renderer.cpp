@@ -18,23 +18,30 @@ Result<std::unique_ptr<GlPageRenderer>> GlPageRenderer::create() {
 void GlPageRenderer::open(const PageSpace& space) {
   space_ = space;
   arena_.clear();
-  if (textures_) textures_->clear();
+  textures_.clear();
 }
 
 // The slot's texture goes with the page.
 Status GlPageRenderer::upload_page(uint32_t slot, const PageMesh& mesh) {
-  if (programs_.textured) RETURN_IF_ERROR(textures_->put(slot, nullptr));
+  RETURN_IF_ERROR(textures_.put(slot, nullptr, {}));
   return arena_.upload_page(slot, mesh);
 }
 
+static Result<ShaderProgram> textured_program() {
+  const std::string define = "#define TEXTURES\n";
+  return ShaderProgram::create("textured page", (define + kPageVertexShader).c_str(),
+                               (define + page_fragment_shader()).c_str());
+}
+
 Status GlPageRenderer::texture_page(uint32_t slot, std::shared_ptr<const PageTexture> texture) {
-  if (!textures_) return Status::ok();
+  if (texture == nullptr) return textures_.put(slot, nullptr, {});
   if (!programs_.textured) {
-    if (texture == nullptr) return Status::ok();
-    ASSIGN_OR_RETURN(ShaderProgram textured, textures_->make_program());
+    ASSIGN_OR_RETURN(ShaderProgram textured, textured_program());
     programs_.textured.emplace(std::move(textured));
   }
-  return textures_->put(slot, std::move(texture));
+  ChartOrder order = chart_order(*texture);
+  RETURN_IF_ERROR(arena_.order_page(slot, order.triangles));
+  return textures_.put(slot, std::move(texture), std::move(order));
 }
 
 Status GlPageRenderer::draw(const Camera& camera, const ImageSize& size, const DrawStyle& style,
@@ -91,8 +98,8 @@ void GlPageRenderer::draw_pages(const Camera& camera, double aspect, const DrawS
   if (style.wireframe) glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1, 1);
   if (is_textured) {
-    textures_->bind(program);
-    arena_.draw_each([&](const PatchRange& patch) { textures_->choose(program, patch); });
+    textures_.draw(program, arena_.chosen(),
+                   [this](const PatchRange& part) { arena_.draw_part(part); });
   } else {
     arena_.draw();
   }

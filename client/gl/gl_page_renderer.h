@@ -34,7 +34,7 @@ class GlPageRenderer : public PageRenderer {
   Status colour_page(uint32_t slot, std::span<const Rgba8> colours) override {
     return arena_.colour_page(slot, colours);
   }
-  uint64_t texture_bytes_max() const override { return textures_ ? textures_->bytes_max() : 0; }
+  uint64_t texture_bytes_max() const override { return textures_.bytes_max(); }
   Status texture_page(uint32_t slot, std::shared_ptr<const PageTexture> texture) override;
   Status draw(const Camera& camera, const ImageSize& size, const DrawStyle& style,
               std::span<const PatchRange> patches) override;
@@ -51,15 +51,14 @@ class GlPageRenderer : public PageRenderer {
     std::unique_ptr<Background> background;
     std::unique_ptr<ReliefLight> relief;
   };
-  explicit GlPageRenderer(Programs programs)
-      : programs_(std::move(programs)), textures_(make_page_textures()) {}
+  explicit GlPageRenderer(Programs programs) : programs_(std::move(programs)) {}
   Status draw_relief(const Camera& camera, const ImageSize& size, const DrawStyle& style);
   void draw_split(const Camera& camera, const ImageSize& size, const DrawStyle& style) const;
   void draw_pages(const Camera& camera, double aspect, const DrawStyle& style, bool original) const;
   void draw_edges(const ShaderProgram& program) const;
 
   Programs programs_;
-  std::unique_ptr<PageTextures> textures_;  // null: none here
+  PageTextures textures_;
   PageArena arena_;
   PictureTarget target_;
   ReliefTarget relief_target_;

@@ -64,6 +64,17 @@ Status PageArena::colour_page(uint32_t slot, std::span<const Rgba8> colours) {
   return check_gl("colours of a page");
 }
 
+Status PageArena::order_page(uint32_t slot, std::span<const uint16_t> triangles) {
+  BURNISH_CHECK(slot < slots_.size(), "slots are reserved");
+  const std::vector<PageTriangle>& page = slots_[slot].triangles;
+  BURNISH_CHECK(triangles.size() == page.size(), "one number per triangle of the page in the slot");
+  std::vector<PageTriangle> ordered;
+  ordered.reserve(page.size());
+  for (const uint16_t number : triangles) ordered.push_back(page[number]);
+  streams_.write_triangles(slot, ordered);
+  return check_gl("triangles of a page");
+}
+
 void PageArena::check_patch(const PatchRange& patch) const {
   BURNISH_CHECK(patch.slot < slots_.size(), "slots are reserved");
   BURNISH_CHECK(size_t{patch.first} + patch.count <= slots_[patch.slot].triangles.size(),
@@ -87,12 +98,10 @@ void PageArena::draw() const {
                       static_cast<GLsizei>(index_counts_.size()));
 }
 
-void PageArena::draw_each(const std::function<void(const PatchRange&)>& before) const {
+void PageArena::draw_part(const PatchRange& part) const {
   glBindVertexArray(vertex_array_);
-  for (size_t i = 0; i < patches_.size(); ++i) {
-    before(patches_[i]);
-    glDrawElements(GL_TRIANGLES, index_counts_[i], GL_UNSIGNED_INT, first_indices_[i]);
-  }
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * part.count), GL_UNSIGNED_INT,
+                 PageStreams::first_index(part));
 }
 
 Status PageArena::choose_edges() {

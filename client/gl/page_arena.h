@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -31,11 +30,15 @@ class PageArena {
   Status mark_page(uint32_t slot, std::span<const VertexMark> marks);
   Status colour_page(uint32_t slot, std::span<const Rgba8> colours);
 
+  /// Draws the triangles of a page in another order from now on. Shapes: one number per triangle.
+  Status order_page(uint32_t slot, std::span<const uint16_t> triangles);
+
   /// Chooses the patches that draw() draws. Needs: ranges inside the pages of their slots.
   void choose(std::span<const PatchRange> patches);
   void draw() const;
-  /// Draws them one by one, after `before` has seen each.
-  void draw_each(const std::function<void(const PatchRange&)>& before) const;
+  std::span<const PatchRange> chosen() const { return patches_; }
+  /// Draws these triangles, in the order of the page.
+  void draw_part(const PatchRange& part) const;
 
   /// Makes the edges of the chosen patches ready for draw_edges(). Fails: resource_exhausted.
   Status choose_edges();

@@ -24,6 +24,7 @@ class PageStreams {
                    std::span<const Vec3f> normals, std::span<const float> ridges) const;
   void write_marks(uint32_t slot, std::span<const VertexMark> marks) const;
   void write_colours(uint32_t slot, std::span<const Rgba8> colours) const;
+  void write_triangles(uint32_t slot, std::span<const PageTriangle> triangles) const;
 
   /// Makes all of it the input of the current vertex array.
   void bind() const;
@@ -36,8 +37,6 @@ class PageStreams {
   static uint32_t first_vertex(uint32_t slot) { return slot * kPageVerticesMax; }
 
  private:
-  void write_triangles(uint32_t slot, std::span<const PageTriangle> triangles) const;
-
   ArenaBuffer still_;
   ArenaBuffer moving_;
   ArenaBuffer marked_;

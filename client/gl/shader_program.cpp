@@ -15,6 +15,7 @@ static const char* preamble() {
            "1.0\n";
   return "#version 300 es\n"
          "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
+         "precision highp sampler2DArray;\n"
          "#define SurfaceSampler sampler2D\n#define covered_part(colour) (colour).a\n";
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 
 #include <Eigen/Core>
@@ -29,6 +30,12 @@ class ShaderProgram {
   void set(const char* uniform, const Eigen::Vector3f& value) const;
   void set(const char* uniform, const Eigen::Vector4f& value) const;
   void set(const char* uniform, const Eigen::Matrix4f& value) const;
+
+  /// For uniforms that are set often: where one is, and how to set it there.
+  GLint place(const char* uniform) const { return glGetUniformLocation(program_, uniform); }
+  void set(GLint place, const std::array<Eigen::Vector4f, 3>& values) const {
+    glUniform4fv(place, 3, values[0].data());
+  }
 
  private:
   explicit ShaderProgram(GLuint program) : program_(program) {}

@@ -6,21 +6,13 @@ const char* const kPageTexels = R"(
 #ifdef TEXTURES
 centroid in vec3 own_colour;      // of the page, whatever edits do
 centroid in vec3 texel_position;  // as original_position, but never outside the triangle
-uniform bool is_textured;
-uniform int first_triangle;  // of the patch
-uniform int first_chart;     // of its page
-uniform usamplerBuffer chart_numbers;  // by triangle
-uniform samplerBuffer charts;          // three texels each: u, v, layer
+uniform vec4 chart[3];  // u and v, to texels; the layer, and 1 if there is one
 uniform sampler2DArray sheets;
 
 // Chooses between levels by itself: drivers and processors then agree.
 vec3 sheet_colour(vec3 right, vec3 up) {
-  int number = int(texelFetch(chart_numbers, first_triangle + gl_PrimitiveID).r);
-  int chart = 3 * (first_chart + number);
-  vec4 u = texelFetch(charts, chart), v = texelFetch(charts, chart + 1);
-  float layer = texelFetch(charts, chart + 2).x;
-  vec4 at = vec4(texel_position, 1.0);
-  vec3 place = vec3(vec2(dot(u, at), dot(v, at)) / 1024.0, layer);
+  vec4 u = chart[0], v = chart[1], at = vec4(texel_position, 1.0);
+  vec3 place = vec3(vec2(dot(u, at), dot(v, at)) / 1024.0, chart[2].x);
   vec2 across = vec2(dot(u.xyz, right), dot(v.xyz, right));
   vec2 upwards = vec2(dot(u.xyz, up), dot(v.xyz, up));
   float texels = max(max(dot(across, across), dot(upwards, upwards)), 1.0);
@@ -33,7 +25,7 @@ vec3 sheet_colour(vec3 right, vec3 up) {
 vec3 surface_colour() {
   vec3 right = dFdx(original_position), up = dFdy(original_position);
   vec3 plain = linear(scan_colour);
-  if (!is_textured) return plain;
+  if (chart[2].y == 0.0) return plain;
   return max(linear(sheet_colour(right, up)) + plain - linear(own_colour), 0.0);
 }
 #else

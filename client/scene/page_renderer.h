@@ -81,7 +81,8 @@ class PageRenderer {
 
   /// Gives a page a texture, which pictures show in place of its vertices' colours; null takes it
   /// away. Where colour_page() has changed a colour, the texels change by as much in linear light.
-  /// Needs: the page in the slot has one triangle per chart number. Fails: resource_exhausted; then
+  /// Needs: the page in the slot has one triangle per chart number, and the texture's patches are
+  /// those that draw() draws, alone or several in a row. Fails: resource_exhausted; then
   /// the page has no texture.
   virtual Status texture_page(uint32_t /*slot*/, std::shared_ptr<const PageTexture> /*texture*/) {
     return Status::ok();

@@ -9,7 +9,7 @@ const kRenderer = 0x1f01;
 const kFreeMemory = 0x9049;
 
 /** After these the core hears of errors. Others fail by mistakes in the code alone, of which the browser's console tells. */
-const kRisky = ["glBufferData", "glRenderbufferStorageMultisample", "glTexImage2D"] as const;
+const kRisky = ["glBufferData", "glRenderbufferStorageMultisample", "glTexImage2D", "glTexImage3D"] as const;
 
 /** The functions of the module "gl" that the core imports. */
 export function glImports(gl: WebGL2RenderingContext, memory: CoreMemory): Record<string, WebAssembly.ImportValue> {
@@ -151,6 +151,37 @@ function targets(gl: WebGL2RenderingContext, memory: CoreMemory) {
       const parts = format === gl.RGB ? 3 : 4; // pixels come in bytes, without gaps
       const pixels = from === 0 ? null : memory.bytes(from, parts * width * height);
       gl.texImage2D(target, level, stored, width, height, border, format, type, pixels);
+    },
+    glTexImage3D(
+      target: number,
+      level: number,
+      stored: number,
+      width: number,
+      height: number,
+      depth: number,
+      border: number,
+      format: number,
+      type: number,
+      from: number,
+    ): void {
+      const pixels = from === 0 ? null : memory.bytes(from, 4 * width * height * depth);
+      gl.texImage3D(target, level, stored, width, height, depth, border, format, type, pixels);
+    },
+    glTexSubImage3D(
+      target: number,
+      level: number,
+      x: number,
+      y: number,
+      z: number,
+      width: number,
+      height: number,
+      depth: number,
+      format: number,
+      type: number,
+      from: number,
+    ): void {
+      const pixels = memory.bytes(from, 4 * width * height * depth);
+      gl.texSubImage3D(target, level, x, y, z, width, height, depth, format, type, pixels);
     },
     glTexImage2DMultisample(): never {
       throw new Error("WebGL2 has no textures with samples");

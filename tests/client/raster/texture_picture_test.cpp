@@ -66,6 +66,17 @@ class TexturePicture : public TwinStage {
     return 3.0 * alike / static_cast<double>(one.rgb.size());
   }
 
+  void expect_twins() {
+    put_textures();
+    EXPECT_GT(part_of_twins(kUnlit), 0.99);
+    EXPECT_LT(rmse(kUnlit), 0.003);
+    EXPECT_LT(rmse({.colouring = Colouring::kScan}), 0.003);
+    wave();
+    EXPECT_LT(rmse(kUnlit), 0.003);
+    camera_.distance *= 2.5;
+    EXPECT_LT(rmse(kUnlit), 0.003);
+  }
+
   void wave() {
     move_by([](const Vec3f& at) {
       return Vec3f(0.6f * std::sin(8 * at.y()), 0.8f * std::cos(6 * at.x()), 0.5f * at.x());
@@ -151,14 +162,16 @@ TEST_F(TexturePicture, AFarTextureIsSmooth) {
 }
 
 TEST_F(TexturePicture, LooksAsWithOpenGL) {
-  put_textures();
-  EXPECT_GT(part_of_twins(kUnlit), 0.99);
-  EXPECT_LT(rmse(kUnlit), 0.003);
-  EXPECT_LT(rmse({.colouring = Colouring::kScan}), 0.003);
-  wave();
-  EXPECT_LT(rmse(kUnlit), 0.003);
-  camera_.distance *= 2.5;
-  EXPECT_LT(rmse(kUnlit), 0.003);
+  expect_twins();
+}
+
+/// OpenGL ES 3.0 is what browsers have.
+class EmbeddedTexturePicture : public TexturePicture {
+  GlKind kind() const override { return GlKind::kEmbedded; }
+};
+
+TEST_F(EmbeddedTexturePicture, LooksAsThatOfProcessors) {
+  expect_twins();
 }
 
 TEST_F(TexturePicture, OpenGLShowsATextureUntilItGoes) {

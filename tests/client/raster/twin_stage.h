@@ -18,8 +18,11 @@ class TwinStage : public testing::Test {
  protected:
   static constexpr int kDepth = 5;
 
+  /// The dialect that the twin of the processors speaks.
+  virtual GlKind kind() const { return GlKind::kDesktop; }
+
   void SetUp() override {
-    auto context = EglContext::create();
+    auto context = EglContext::create(kind());
     ASSERT_TRUE(context.is_ok()) << context.status().message();
     context_ = std::move(context).value();
     gl_ = std::move(GlPageRenderer::create()).value();

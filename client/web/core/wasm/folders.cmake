@@ -92,7 +92,7 @@ function(core_program name)
     -Wl,-mllvm,-enable-merge-functions)  # templates of many types are often the same code
 endfunction()
 
-core_folder(client/gl EXCEPT context_egl page_textures sheet_shelves texel_shader)
+core_folder(client/gl EXCEPT context_egl)
 core_folder(client/web/core/card)
 core_program(core client/gl client/web/core/card)
 # Every browser with JSPI has registers of four numbers.

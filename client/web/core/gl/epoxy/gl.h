@@ -24,6 +24,7 @@ using GLsync = struct GLsyncOfHost*;  // a number of the host's
 inline constexpr int GL_ARRAY_BUFFER = 0x8892;
 inline constexpr int GL_BLEND = 0xbe2;
 inline constexpr int GL_BYTE = 0x1400;
+inline constexpr int GL_CLAMP_TO_EDGE = 0x812f;
 inline constexpr int GL_COLOR = 0x1800;
 inline constexpr int GL_COLOR_ATTACHMENT0 = 0x8ce0;
 inline constexpr int GL_COLOR_ATTACHMENT1 = 0x8ce1;
@@ -48,6 +49,7 @@ inline constexpr int GL_GPU_MEMORY_INFO_CURRENT_AVAILABLE_VIDMEM_NVX = 0x9049;
 inline constexpr int GL_HALF_FLOAT = 0x140b;
 inline constexpr int GL_INT = 0x1404;
 inline constexpr int GL_LINEAR = 0x2601;
+inline constexpr int GL_LINEAR_MIPMAP_NEAREST = 0x2701;
 inline constexpr int GL_LINES = 1;
 inline constexpr int GL_LINK_STATUS = 0x8b82;
 inline constexpr int GL_MAX_COLOR_TEXTURE_SAMPLES = 0x910e;
@@ -81,9 +83,13 @@ inline constexpr int GL_SYNC_GPU_COMMANDS_COMPLETE = 0x9117;
 inline constexpr int GL_TEXTURE0 = 0x84c0;
 inline constexpr int GL_TEXTURE3 = 0x84c3;
 inline constexpr int GL_TEXTURE_2D = 0xde1;
+inline constexpr int GL_TEXTURE_2D_ARRAY = 0x8c1a;
 inline constexpr int GL_TEXTURE_2D_MULTISAMPLE = 0x9100;
 inline constexpr int GL_TEXTURE_MAG_FILTER = 0x2800;
+inline constexpr int GL_TEXTURE_MAX_LEVEL = 0x813d;
 inline constexpr int GL_TEXTURE_MIN_FILTER = 0x2801;
+inline constexpr int GL_TEXTURE_WRAP_S = 0x2802;
+inline constexpr int GL_TEXTURE_WRAP_T = 0x2803;
 inline constexpr int GL_TIMEOUT_EXPIRED = 0x911b;
 inline constexpr int GL_TRIANGLES = 4;
 inline constexpr int GL_TRUE = 1;
@@ -231,6 +237,12 @@ void glTexImage2D(GLenum target, GLint level, GLint internal_format, GLsizei wid
 BURNISH_GL(glTexImage2DMultisample)
 void glTexImage2DMultisample(GLenum target, GLsizei samples, GLenum format, GLsizei width,
                              GLsizei height, GLboolean fixed_places);
+BURNISH_GL(glTexImage3D)
+void glTexImage3D(GLenum target, GLint level, GLint internal_format, GLsizei width, GLsizei height,
+                  GLsizei depth, GLint border, GLenum format, GLenum type, const void* pixels);
+BURNISH_GL(glTexSubImage3D)
+void glTexSubImage3D(GLenum target, GLint level, GLint x, GLint y, GLint z, GLsizei width,
+                     GLsizei height, GLsizei depth, GLenum format, GLenum type, const void* pixels);
 BURNISH_GL(glTexParameteri)
 void glTexParameteri(GLenum target, GLenum name, GLint value);
 BURNISH_GL(glUniform1f)
