@@ -1,3 +1,4 @@
+#include "client/gl/glsl.h"
 #include "client/gl/shaders.h"
 
 namespace burnish {
@@ -34,6 +35,6 @@ void main() {
   }
   occluded = vec4(min(8.0 * sum / float(kSteps), 1.0));
 }
-)";
+)"_glsl;
 
 }  // namespace burnish

@@ -1,3 +1,4 @@
+#include "client/gl/glsl.h"
 #include "client/gl/shaders.h"
 
 namespace burnish {
@@ -74,6 +75,6 @@ Lit light_of(vec3 base, vec3 n, vec3 seen, vec3 to_eye, float ridge) {
   if (light_kind == 7) return Lit(base, 1.0);
   return lamp(base, n, to_eye, light_kind == 0 ? ridge : 0.0);
 }
-)";
+)"_glsl;
 
 }  // namespace burnish

@@ -1,3 +1,4 @@
+#include "client/gl/glsl.h"
 #include "client/gl/shaders.h"
 
 namespace burnish {
@@ -94,6 +95,6 @@ void main() {
   colour = vec4(pow(clamp(shown.rgb, 0.0, 1.0), vec3(1.0 / kGamma)), 1.0);
   relief = vec4(folded(n), lit.strength, shown.a);
 }
-)";
+)"_glsl;
 
 }  // namespace burnish

@@ -1,3 +1,4 @@
+#include "client/gl/glsl.h"
 #include "client/gl/shaders.h"
 
 namespace burnish {
@@ -62,6 +63,6 @@ void main() {
 #endif
   gl_Position = projection * seen;
 }
-)";
+)"_glsl;
 
 }  // namespace burnish

@@ -1,3 +1,4 @@
+#include "client/gl/glsl.h"
 #include "client/gl/shaders.h"
 
 namespace burnish {
@@ -50,7 +51,7 @@ float off_plane(Place at, Place other) {
   float facing = max(dot(at.n, to_eye_from(at)), 0.2);
   return abs(dot(at.n, other.position - at.position)) / (facing * pixel_length(at));
 }
-)";
+)"_glsl;
 
 // client/raster/relief_rows.cpp has the same formulas for processors. Curvature is the divergence
 // of the normal over three distances, so that fine and coarse detail count. Steps in depth count
@@ -144,6 +145,6 @@ void main() {
   }
   colour = vec4(sum / float(samples), 1.0);
 }
-)";
+)"_glsl;
 
 }  // namespace burnish

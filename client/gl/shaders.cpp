@@ -1,5 +1,6 @@
 #include "client/gl/shaders.h"
 
+#include "client/gl/glsl.h"
 #include "client/scene/shade_constants.h"
 
 namespace burnish {
@@ -35,7 +36,7 @@ void main() {
   height = 0.5 + 0.5 * corner.y;
   gl_Position = vec4(corner, 0.0, 1.0);
 }
-)";
+)"_glsl;
 
 const char* const kBackgroundFragmentPixels = R"(
 in float height;
@@ -43,6 +44,6 @@ out vec4 colour;
 void main() {
   colour = vec4(mix(kBackgroundLow, kBackgroundHigh, height), 1.0);
 }
-)";
+)"_glsl;
 
 }  // namespace burnish

@@ -1,3 +1,4 @@
+#include "client/gl/glsl.h"
 #include "client/gl/shaders.h"
 
 namespace burnish {
@@ -31,6 +32,6 @@ vec3 surface_colour() {
 #else
 vec3 surface_colour() { return linear(scan_colour); }
 #endif
-)";
+)"_glsl;
 
 }  // namespace burnish
