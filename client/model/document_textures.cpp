@@ -33,7 +33,7 @@ void Document::renew_textures() {
 void Document::show_textures(const SheetsDescription& description) {
   if (!description.has_sheets()) return;
   auto textures =
-      make_texture_supply(description, {surface_->head(), surface_->pages_fingerprint(),
+      TextureSupply::open(description, {surface_->head(), surface_->pages_fingerprint(),
                                         surface_->texture_bytes_max(), surface_->on_news()});
   if (!textures.is_ok()) return log_.failure("textures", textures.status());
   surface_->set_textures(std::move(*textures));

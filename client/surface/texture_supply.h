@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,42 +10,13 @@
 #include "client/pages/page_loader.h"
 #include "client/pages/page_source.h"
 #include "client/scene/page_texture.h"
+#include "client/sheets/sheet_loader.h"
+#include "client/surface/texture_desk.h"
 #include "common/base/status.h"
 #include "common/pages/directory.h"
 #include "common/service/scan_sheets.h"
 
 namespace burnish {
-
-/// The sheets behind a surface: what a SheetLoader and a thread that decodes do for it. A browser's
-/// core has none yet. Used from one thread.
-class TextureSupply {
- public:
-  using Time = PageLoader::Time;
-
-  TextureSupply() = default;
-  virtual ~TextureSupply() = default;
-  TextureSupply(const TextureSupply&) = delete;
-  TextureSupply& operator=(const TextureSupply&) = delete;
-
-  /// Chooses the sheets of the pages that a picture draws, and returns what to ask for and to
-  /// cancel. `drawn`: each once. The result stays until the next call.
-  virtual const PageRequests::Plan& look(const PageLoader& pages, std::span<const PageId> drawn,
-                                         const LinkSpeed& link, Time now) = 0;
-  /// Takes an item of the sheets that has come or failed.
-  virtual void on_arrival(PageSource::Arrival arrival, Time now) = 0;
-  /// Takes what was decoded since the last call.
-  virtual void take_decoded(Time now) = 0;
-  virtual void on_link_made() = 0;
-
-  /// Returns null: the page shows its vertices' colours.
-  virtual std::shared_ptr<const PageTexture> texture(PageId page) const = 0;
-  /// Returns a number that rises when a texture comes or goes.
-  virtual uint64_t changes() const = 0;
-  /// Returns whether the last picture has all the sheets that it needs.
-  virtual bool is_settled() const = 0;
-  /// Returns what was given up, in words, once for a connection; else nothing.
-  virtual std::string take_failures() = 0;
-};
 
 struct TextureOptions {
   PageHead pages;
@@ -55,9 +25,42 @@ struct TextureOptions {
   std::function<void()> on_news;   ///< take_decoded() has something; called from any thread
 };
 
-/// Opens the sheets of a scan. Fails: failed_precondition (sheets of other pages); data_loss that
-/// names the damage; unimplemented (another version).
-Result<std::unique_ptr<TextureSupply>> make_texture_supply(const SheetsDescription& description,
-                                                           TextureOptions options);
+/// The sheets behind a surface: what a SheetLoader and a desk that decodes do for it. Used from one
+/// thread.
+class TextureSupply {
+ public:
+  using Time = PageLoader::Time;
+
+  /// Opens the sheets of a scan. Fails: failed_precondition (sheets of other pages); data_loss that
+  /// names the damage; unimplemented (another version).
+  static Result<std::unique_ptr<TextureSupply>> open(const SheetsDescription& description,
+                                                     TextureOptions options);
+
+  /// Chooses the sheets of the pages that a picture draws, and returns what to ask for and to
+  /// cancel. `drawn`: each once. The result stays until the next call.
+  const PageRequests::Plan& look(const PageLoader& pages, std::span<const PageId> drawn,
+                                 const LinkSpeed& link, Time now);
+  /// Takes an item of the sheets that has come or failed.
+  void on_arrival(PageSource::Arrival arrival, Time now);
+  /// Takes what was decoded since the last call.
+  void take_decoded(Time now);
+  void on_link_made();
+
+  /// Returns null: the page shows its vertices' colours.
+  std::shared_ptr<const PageTexture> texture(PageId page) const { return loader_.texture(page); }
+  /// Returns a number that rises when a texture comes or goes.
+  uint64_t changes() const { return loader_.changes(); }
+  /// Returns whether the last picture has all the sheets that it needs.
+  bool is_settled() const { return loader_.is_settled(); }
+  /// Returns what was given up, in words, once for a connection; else nothing.
+  std::string take_failures();
+
+ private:
+  TextureSupply(SheetHead head, TextureOptions options);
+
+  SheetLoader loader_;
+  bool has_told_ = false;  // of failures over this connection
+  std::unique_ptr<TextureDesk> desk_;
+};
 
 }  // namespace burnish

@@ -6,6 +6,7 @@ import type { CoreExports } from "./core_exports";
 import { beginDrawing } from "./drawing";
 import { Entries } from "./entries";
 import { Files } from "./files";
+import { Images } from "./images";
 import { CoreMemory } from "./memory";
 import { Pictures } from "./pictures";
 import { Store } from "./store";
@@ -27,6 +28,9 @@ class Engine {
   private readonly pictures = new Pictures(() => this.tick());
   private readonly files = new Files(this.memory, (name, blob) => scope.postMessage({ kind: "download", name, blob }));
   private readonly store = new Store(this.memory, (key, text) => scope.postMessage({ kind: "keep", key, text }));
+  private readonly images = new Images(this.memory, (image, rgba) =>
+    this.entries.soon(() => this.handImage(image, rgba)),
+  );
   private readonly calls: Calls;
   private readonly canvas: OffscreenCanvas;
   /** Of the next picture: a canvas of another size is empty, so both come together. */
@@ -103,6 +107,10 @@ class Engine {
     if (this.canvas.height !== height) this.canvas.height = height;
   }
 
+  private handImage(image: number, rgba: Uint8ClampedArray | null): void {
+    this.entries.enter((core) => core.core_image_decoded(image, rgba ? this.memory.give(rgba)[0] : 0));
+  }
+
   private tell(message: object): void {
     this.entries.enter((core) => core.core_hear(...this.memory.giveText(JSON.stringify(message))));
   }
@@ -121,6 +129,7 @@ class Engine {
     return {
       ...this.entries.imports(),
       ...this.files.imports(),
+      ...this.images.imports(),
       ...this.store.imports(),
       say: (at: number, length: number) => scope.postMessage(JSON.parse(memory.text(at, length)) as ToPage),
       wake: () => this.pictures.wake(),

@@ -17,12 +17,12 @@ export class CoreMemory {
     return this.exports.memory.buffer;
   }
 
-  bytes(at: number, length: number): Uint8Array {
+  bytes(at: number, length: number): Uint8Array<ArrayBuffer> {
     return new Uint8Array(this.buffer, at, length);
   }
 
   /** Returns bytes that stay as they are when the core goes on. */
-  copy(at: number, length: number): Uint8Array {
+  copy(at: number, length: number): Uint8Array<ArrayBuffer> {
     return this.bytes(at, length).slice();
   }
 
@@ -61,7 +61,7 @@ export class CoreMemory {
   }
 
   /** Hands bytes over: calls with their place in the core's memory, which the core frees. */
-  give(bytes: Uint8Array): [number, number] {
+  give(bytes: ArrayLike<number>): [number, number] {
     const at = this.exports.core_alloc(bytes.length);
     this.bytes(at, bytes.length).set(bytes);
     return [at, bytes.length];

@@ -131,6 +131,20 @@ test("FileIsReadFromWhereTheCoreWants", () =>
     await engine.said("from 2: 23456");
   }));
 
+test("PictureIsDecodedIfItHasTheSizeThatTheCoreKnows", () =>
+  withEngine(async (engine) => {
+    await engine.visit.page.evaluate(async () => {
+      const canvas = new OffscreenCanvas(8, 4);
+      const context = canvas.getContext("2d", { alpha: false })!;
+      context.fillStyle = "rgb(200 100 50)";
+      context.fillRect(0, 0, 8, 4);
+      const file = new File([await canvas.convertToBlob({ type: "image/webp", quality: 1 })], "8x4.webp");
+      window.engine.postMessage({ kind: "import", file });
+    });
+    await engine.said("image 1: 200 100 50 255");
+    await engine.said("image 2: none");
+  }));
+
 test("DownloadComesWholeOrNotAtAll", () =>
   withEngine(async (engine) => {
     await engine.line("drop");

@@ -24,6 +24,9 @@ void store_set(const char* key, size_t key_length, const char* text, size_t leng
 IMPORT(store_get) size_t store_get(const char* key, size_t length);
 IMPORT(store_take) void store_take(char* to);
 
+IMPORT(image_decode)
+int image_decode(const char* file, size_t bytes, int width, int height);
+
 namespace {
 
 constexpr int kTasks = 3, kDepth = 20, kWaits = 5;
@@ -64,6 +67,12 @@ void read_file(int file) {
   std::string bytes(size_t(file_size(file)), '\0');
   const size_t got = file_read(file, 2, bytes.data(), bytes.size());
   tell("from 2: " + bytes.substr(0, got));
+}
+
+void decode(int file, int width, int height) {
+  std::string bytes(size_t(file_size(file)), '\0');
+  file_read(file, 0, bytes.data(), bytes.size());
+  image_decode(bytes.data(), bytes.size(), width, height);
 }
 
 void download(bool is_kept) {
@@ -112,13 +121,29 @@ EXPORT(core_hear) void core_hear(char* text, size_t length) {
   }
   if (kind == "resize") tell("resized to " + std::string(behind(message, "\"width\":")));
   if (kind == "command") obey(behind(message, "\"line\":\""));
-  if (kind == "import") read_file(std::atoi(std::string(behind(message, "\"handle\":")).c_str()));
+  if (kind == "import") {
+    const int file = std::atoi(std::string(behind(message, "\"handle\":")).c_str());
+    if (behind(message, "\"name\":\"") == "8x4.webp") {
+      decode(file, 8, 4);
+      decode(file, 8, 5);
+    } else {
+      read_file(file);
+    }
+  }
 }
 
 EXPORT(core_tick) double core_tick(double) {
   if (draws) tell("ticked");
   draws = false;
   return 1e9;
+}
+
+EXPORT(core_image_decoded) void core_image_decoded(int image, unsigned char* rgba) {
+  std::string said = "image " + std::to_string(image) + ":";
+  if (rgba == nullptr) said += " none";
+  for (int i = 0; rgba != nullptr && i < 4; ++i) said += " " + std::to_string(rgba[i]);
+  tell(said);
+  std::free(rgba);
 }
 
 EXPORT(core_call_message) void core_call_message(int, char* bytes, size_t) {

@@ -31,6 +31,7 @@ class PageCallsLink final : public PageSource, public Clockwork {
   using Call = PageDelivery::Call;
   struct Running {
     std::unique_ptr<HostCall> call;
+    bool is_of_sheets = false;
     Status damage;  ///< of a message
     bool has_ended = false;
   };

@@ -25,6 +25,9 @@ void core_call_message(int call, uint8_t* message, size_t bytes) BURNISH_EXPORT(
 void core_call_ended(int call, int code, uint8_t* text, size_t bytes, uint8_t* details,
                      size_t details_bytes) BURNISH_EXPORT(core_call_ended);
 
+/// `rgba`: the size that was asked for, rows from above; null: it is not a picture of this size.
+void core_image_decoded(int image, uint8_t* rgba) BURNISH_EXPORT(core_image_decoded);
+
 /// Returns the upper end of a task's stack.
 uint8_t* core_stack(int task) BURNISH_EXPORT(core_stack);
 /// Runs a task. It returns when the task has ended.

@@ -53,6 +53,11 @@ void host_store_take(char* to) BURNISH_IMPORT(store_take);
 void host_picture_keep(const char* key, size_t key_bytes, const uint8_t* rgb, int width, int height)
     BURNISH_IMPORT(picture_keep);
 
+/// Begins to decode a WebP of this size, which is opaque. core_image_decoded() follows, not within
+/// this call.
+int host_image_decode(const uint8_t* file, size_t bytes, int width, int height)
+    BURNISH_IMPORT(image_decode);
+
 #undef BURNISH_IMPORT
 
 }  // extern "C"

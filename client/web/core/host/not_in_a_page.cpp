@@ -1,6 +1,5 @@
-// Says that a page lacks three things: a server of its own, raw scans, and textures.
+// Says that a page lacks two things: a server of its own, and raw scans.
 
-#include "client/model/document.h"
 #include "client/model/private_server.h"
 #include "client/model/raw_scan.h"
 
@@ -26,10 +25,6 @@ Result<RawScan> read_raw_scan(const std::filesystem::path& file, uint64_t) {
 Status put_into(PageRenderer&, RawScan& scan) {
   return unimplemented(scan.file.string() + ": a page shows a scan once the server has it");
 }
-
-void Document::find_textures() {}
-
-void Document::renew_textures() {}
 
 DrawStyle style_of(const RawScan&) {
   return {};

@@ -50,6 +50,7 @@ core_folder(common/edit)
 core_folder(common/packing SPEED -O2)
 core_folder(common/pages SPEED -Os EXCEPT page_encoder page_file page_writer walk_planner)
 core_folder(common/page_frames SPEED -O2 EXCEPT page_frame_encoder page_sample sent_page_frames)
+core_folder(common/sheets ONLY chart chart_codec sheet_block_codec sheet_codec sheet_head_codec sheet_layout webp_header)
 core_folder(common/transfer EXCEPT chunk_crc32 content_hash)
 core_folder(common/service)
 core_folder(common/measure)
@@ -58,15 +59,16 @@ core_folder(client/scene EXCEPT png_reader png_writer raw_pages thinned_triangle
 core_folder(client/pages)
 core_folder(client/live)
 core_folder(client/tools EXCEPT own_presets_file)
-core_folder(client/surface EXCEPT page_desk_thread texture_supply)
+core_folder(client/sheets EXCEPT texture_decoder)
+core_folder(client/surface EXCEPT page_desk_thread texture_desk_thread)
 core_folder(client/report ONLY depth_text deviation_json length_text processing_record record_json
   record_page section_file time_text)
 file(STRINGS ${root}/CMakeLists.txt project REGEX "^project\\(burnish VERSION")
 string(REGEX MATCH "[0-9.]+" BURNISH_VERSION "${project}")
 target_compile_definitions(client_report PRIVATE BURNISH_VERSION="${BURNISH_VERSION}")
 core_folder(client/connection ONLY call_status connection edit_calls export_call
-  history_calls import_call measure_calls page_calls page_value_calls rename_calls)
-core_folder(client/model EXCEPT beside connection_form detached_program document_textures file_browser file_list
+  history_calls import_call measure_calls page_calls page_value_calls rename_calls sheet_calls)
+core_folder(client/model EXCEPT beside connection_form detached_program file_browser file_list
   leaving letters lighting_toml native_dialog preferences private_folder private_server raw_scan
   recorder_file scan_files session_picture_files tasks typed_path user_socket view_state)
 core_folder(client/script EXCEPT lone_script)
@@ -96,7 +98,7 @@ core_folder(client/gl EXCEPT context_egl)
 core_folder(client/web/core/card)
 core_program(core client/gl client/web/core/card)
 # Every browser with JSPI has registers of four numbers.
-core_folder(client/raster SPEED -O2 EXCEPT texel_colour work_crew)
+core_folder(client/raster SPEED -O2 EXCEPT work_crew)
 target_compile_options(client_raster PRIVATE -msimd128)
 set_source_files_properties(${root}/client/raster/near_clip.cpp ${root}/client/raster/raster_page_renderer.cpp
   ${root}/client/raster/shaded_scene.cpp PROPERTIES COMPILE_OPTIONS -Oz)  # run once a picture, or seldom

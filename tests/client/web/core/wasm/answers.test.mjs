@@ -66,8 +66,12 @@ for (const [kind, all] of asked) {
 }
 
 test("every kind is asked, and some answers are no failures", () => {
-  assert.deepEqual([...asked.keys()].sort(), ["frames", "hash", "head", "message", "number", "page"]);
+  assert.deepEqual([...asked.keys()].sort(), ["frames", "hash", "head", "message", "number", "page", "sheet"]);
   assert.ok(asked.get("page").some(({ answer }) => /^\d+ triangles /.test(answer)));
   assert.ok(asked.get("frames").some(({ answer }) => /^layouts .*(\n[0-9a-f]{16}){4}$/.test(answer)));
+  const sheets = asked.get("sheet").map(({ answer }) => answer);
+  assert.equal(sheets.filter((answer) => /^24x17 texels [0-9a-f]{16}$/.test(answer)).length, 2);
+  assert.ok(sheets.some((answer) => answer.includes("the WebP has 25x17 texels, the sheet 24x17")));
+  assert.ok(sheets.some((answer) => answer.includes("16383x17")));
   assert.ok(asked.get("message").some(({ answer }) => answer.startsWith("kind ")));
 });

@@ -12,6 +12,7 @@
 #include "common/page_frames/page_frame_decoder.h"
 #include "common/pages/directory_codec.h"
 #include "common/pages/page_codec.h"
+#include "common/sheets/sheet_codec.h"
 #include "common/transfer/chunk.h"
 #include "common/transfer/content_hash.h"
 #include "common/wire/live_wire.h"
@@ -135,6 +136,22 @@ std::string frames_answer(std::span<const uint8_t> bytes) {
   return answer;
 }
 
+std::string sheet_answer(std::span<const uint8_t> bytes) {
+  const auto record = open_sheet(bytes);
+  if (!record.is_ok()) return record.status().to_string();
+  const SheetHeader& header = record->header;
+  const auto webp = opaque_webp(record->webp, header.width, header.height, header.codec);
+  if (!webp.is_ok()) return webp.status().to_string();
+  Fingerprint all;
+  for (const TexelPlace& place : record->layout.places) {
+    all.add(place.x);
+    all.add(place.y);
+  }
+  all.add_all(*webp);
+  return std::to_string(header.width) + "x" + std::to_string(header.height) + " texels " +
+         all.text();
+}
+
 std::string message_answer(std::span<const uint8_t> bytes) {
   v1::ServerMessage message;
   if (!message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return "no message";
@@ -164,6 +181,7 @@ std::string answer_of(std::string_view kind, std::span<const uint8_t> bytes) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   if (kind == "page") return page_answer(bytes);
   if (kind == "head") return head_answer(bytes);
+  if (kind == "sheet") return sheet_answer(bytes);
   if (kind == "frames") return frames_answer(bytes);
   if (kind == "message") return message_answer(bytes);
   if (kind == "hash") return hash_answer(text);

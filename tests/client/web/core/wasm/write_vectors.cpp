@@ -2,6 +2,7 @@
 // kind, bytes and answer of each question, each with its size before it (32 bits).
 // Usage: write_vectors FOLDER
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -12,10 +13,12 @@
 #include "client/live/framed_page.h"
 #include "common/generate/generate.h"
 #include "common/mesh/statistics.h"
+#include "common/packing/checksum.h"
 #include "common/page_frames/page_frame_decoder.h"
 #include "common/page_frames/page_frame_encoder.h"
 #include "common/pages/page_codec.h"
 #include "common/pages/page_file.h"
+#include "common/sheets/sheet_codec.h"
 #include "server/prepare/pages/build_pages.h"
 #include "tests/client/web/core/wasm/checks.h"
 
@@ -129,10 +132,52 @@ Status add_scan(const std::string& kind, const fs::path& folder, Vectors& vector
   return Status::ok();
 }
 
+/// Returns a sheet of this size whose first texel has this alpha.
+Result<Bytes> sheet_of(uint16_t width, uint8_t alpha) {
+  Sheet sheet{.page = 7, .density = 2, .layout = {width, 17, {{0, 0}, {12, 3}}}, .texels = {}};
+  for (size_t i = 0; i < sheet.layout.texels(); ++i)
+    sheet.texels.push_back({static_cast<uint8_t>(5 * i), static_cast<uint8_t>(i / 3), 100, 255});
+  sheet.texels[0][3] = alpha;
+  return encode_sheet(sheet);
+}
+
+/// Seals a sheet whose header says another width than its texels have.
+Bytes with_width(Bytes bytes, uint16_t width) {
+  SheetHeader header;
+  std::memcpy(&header, bytes.data(), sizeof header);
+  header.width = width;
+  std::memcpy(bytes.data(), &header, sizeof header);
+  header.checksum = sealed_checksum(bytes, offsetof(SheetHeader, checksum), sizeof header);
+  std::memcpy(bytes.data(), &header, sizeof header);
+  return bytes;
+}
+
+// Sheets with and without alpha; texels that are wider than the sheet; a container that is not as
+// wide as its frame; a frame that would take a gigabyte.
+Status add_sheets(Vectors& vectors) {
+  for (const uint8_t alpha : {uint8_t{255}, uint8_t{9}}) {
+    ASSIGN_OR_RETURN(const Bytes bytes, sheet_of(24, alpha));
+    vectors.add_with_damages("sheet", bytes);
+    ASSIGN_OR_RETURN(const Bytes wider, sheet_of(25, alpha));
+    vectors.add("sheet", with_width(wider, 24));
+    Bytes narrowed = wider;
+    const auto canvas = std::ranges::search(narrowed, std::string_view("VP8X")).begin();
+    if (canvas != narrowed.end()) canvas[12] = 23;
+    vectors.add("sheet", with_width(narrowed, 24));
+    Bytes huge = bytes;
+    const auto start = std::ranges::search(huge, std::string_view("\x9d\x01\x2a")).begin();
+    start[3] = 0xff;
+    start[4] = 0x3f;
+    vectors.add("sheet", with_width(huge, 24));
+  }
+  return Status::ok();
+}
+
 Status write_vectors(const fs::path& folder) {
   Vectors vectors(folder);
   for (const char* kind : {"tablet", "blob", "sheets", "fan", "soup", "part"})
     RETURN_IF_ERROR(add_scan(kind, folder, vectors).with_context(kind));
+  RETURN_IF_ERROR(add_sheets(vectors));
   for (const auto& file :
        fs::directory_iterator(fs::path(SOURCE_ROOT) / "tests/fuzz/corpus/server_message")) {
     std::ifstream in(file.path(), std::ios::binary);

@@ -27,6 +27,8 @@ class Library {
     BURNISH_CALL(SetScanUnit, SetScanUnitRequest, ScanInfo)
     BURNISH_CALL_FOR_MANY(PrepareScan, PrepareScanRequest, PrepareEvent)
     BURNISH_CALL_FOR_MANY(DescribePages, DescribePagesRequest, DescribePagesEvent)
+    BURNISH_CALL_FOR_MANY(DescribeSheets, DescribeSheetsRequest, DescribeSheetsEvent)
+    BURNISH_CALL_FOR_MANY(FetchSheets, FetchSheetsRequest, FetchSheetsEvent)
     BURNISH_CALL_FOR_MANY(ProposeEdges, ProposeEdgesRequest, ProposeEdgesEvent)
     BURNISH_CALL_FOR_MANY(FetchPages, FetchPagesRequest, FetchPagesEvent)
 #undef BURNISH_CALL

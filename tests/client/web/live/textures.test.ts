@@ -1,0 +1,101 @@
+// A scan with a picture, finer than its triangles: the page shows each texel, as the window does.
+
+import assert from "node:assert/strict";
+import { readFileSync, writeFileSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { Lab, difference, type Pixels, type Visit } from "./lab";
+
+const labs = { card: new Lab("card"), processor: new Lab("best", "plain") };
+const prepare = async (lab: Lab) => {
+  await lab.start();
+  await importLettered(lab);
+  await lab.ask("open", "lettered", "--session", "shown");
+};
+before(() => Promise.all(Object.values(labs).map(prepare)));
+after(() => Promise.all(Object.values(labs).map((lab) => lab.stop())));
+
+/** Paints dark letters and stripes on a light ground, and returns the file. */
+const painted = (visit: Visit): Promise<string> =>
+  visit.page.evaluate(async () => {
+    const canvas = new OffscreenCanvas(1024, 1024);
+    const context = canvas.getContext("2d")!;
+    context.fillStyle = "rgb(230 205 150)";
+    context.fillRect(0, 0, 1024, 1024);
+    context.fillStyle = "rgb(30 20 90)";
+    context.font = "24px sans-serif";
+    for (let line = 0; line < 20; ++line) context.fillText(`${line} The quick brown fox jumps over it`, 0, 26 * line);
+    for (let x = 0; x < 1024; x += 8) context.fillRect(x, 520, 4, 504);
+    let text = "";
+    for (const one of new Uint8Array(await (await canvas.convertToBlob()).arrayBuffer()))
+      text += String.fromCharCode(one);
+    return btoa(text);
+  });
+
+/** Lays the picture over a generated tablet, as seen from above. */
+function withPicture(obj: string): string {
+  const lines = obj.split("\n");
+  const at = lines.filter((line) => line.startsWith("v ")).map((line) => line.split(" ").slice(1, 4).map(Number));
+  const least = [0, 1].map((axis) => Math.min(...at.map((place) => place[axis]!)));
+  const most = [0, 1].map((axis) => Math.max(...at.map((place) => place[axis]!)));
+  const part = (place: number[], axis: number) => (place[axis]! - least[axis]!) / (most[axis]! - least[axis]!);
+  const vertices = at.flatMap((place) => [`v ${place.join(" ")}`, `vt ${part(place, 0)} ${part(place, 1)}`]);
+  const corner = (word: string) => word.split("/")[0] + "/" + word.split("/")[0];
+  const faces = lines.filter((line) => line.startsWith("f ")).map((line) => line.split(" ").slice(1).map(corner));
+  return ["mtllib skin.mtl", "usemtl skin", ...vertices, ...faces.map((face) => `f ${face.join(" ")}`), ""].join("\n");
+}
+
+async function importLettered(lab: Lab): Promise<void> {
+  await lab.run("generate", "tablet", "plain.obj", "--vertices", "10000");
+  writeFileSync(lab.path("lettered.obj"), withPicture(readFileSync(lab.path("plain.obj"), "utf8")));
+  writeFileSync(lab.path("skin.mtl"), "newmtl skin\nmap_Kd skin.png\n");
+  await lab.visit(async (visit) => writeFileSync(lab.path("skin.png"), Buffer.from(await painted(visit), "base64")));
+  await lab.ask("import", "lettered.obj", "--name", "lettered");
+}
+
+/** Returns how often a row of a picture's middle turns from dark to light or back. */
+function turns({ width, height, data }: Pixels): number {
+  const row = Math.floor(0.62 * height);
+  let count = 0;
+  let isDark = false;
+  for (let x = Math.floor(0.3 * width); x < 0.7 * width; ++x) {
+    const red = data[4 * (row * width + x)]!;
+    if (isDark ? red > 160 : red < 100) (isDark = !isDark), ++count;
+  }
+  return count;
+}
+
+/** Returns the window's picture of the same session and lines. */
+async function windowPicture(lab: Lab, visit: Visit, { width, height }: Pixels, lines: string[]): Promise<Pixels> {
+  const script = ["join shown", "wait", `size ${width}x${height}`, ...lines, "wait", "screenshot window.png", ""];
+  writeFileSync(lab.path("view.txt"), script.join("\n"));
+  await lab.ask("window", "--script", "view.txt");
+  return visit.decode(lab.bytes("window.png"));
+}
+
+const kTexels = ["colour scan", "light unlit"];
+/** Lines that lead to a picture, and how many stripes it has at least. */
+const kViews: [name: string, lines: string[], turns: number][] = [
+  ["whole", ["camera 0 90", ...kTexels], 20],
+  ["aslant", ["camera 25 20", ...kTexels], 20],
+  ["near", ["camera 10 70 250 0 -60 0", ...kTexels], 10],
+  ["lit", ["camera 0 90", "colour scan", "light clay"], 0],
+  ["edited", ["camera 0 90", ...kTexels, "colours 0.2 20"], 0],
+];
+
+const showsTheTexelsOfTheWindow = (lab: Lab) =>
+  lab.visit(async (visit) => {
+    await visit.join("shown");
+    const wrong: string[] = [];
+    for (const [name, lines, stripes] of kViews) {
+      await visit.replay([...lines, "wait"]);
+      const shown = await visit.picture();
+      await visit.screenshot(`textures-${name}`);
+      const found = difference(shown, await windowPicture(lab, visit, shown, lines));
+      if (found.mean > 0.5 || found.most > 6 || turns(shown) < stripes)
+        wrong.push(`${name}: ${JSON.stringify(found)}, ${turns(shown)} turns`);
+    }
+    assert.deepEqual(wrong, []);
+  });
+
+test("TexelsOfOpenGlAreThoseOfTheWindow", () => showsTheTexelsOfTheWindow(labs.card));
+test("TexelsOfTheProcessorAreThoseOfTheWindow", () => showsTheTexelsOfTheWindow(labs.processor));
