@@ -1,29 +1,17 @@
 #include "common/picture/picture_rows.h"
 
 #include <algorithm>
-#include <array>
 #include <new>
 
 #include "common/base/limits.h"
 #include "common/picture/picture_formats.h"
+#include "common/picture/picture_kind.h"
 
 namespace burnish {
 
-constexpr std::array<uint8_t, 8> kPngMagic = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-constexpr std::array<uint8_t, 3> kJpegMagic = {0xff, 0xd8, 0xff};
-
-template <size_t kBytes>
-static bool begins_with(std::span<const uint8_t> bytes, const std::array<uint8_t, kBytes>& magic) {
-  return bytes.size() >= kBytes && std::equal(magic.begin(), magic.end(), bytes.begin());
-}
-
 static Status decode(std::span<const uint8_t> bytes, const PictureTaker& taker) {
-  if (bytes.size() > kPictureBytesMax)
-    return invalid_argument("picture of " + std::to_string(bytes.size()) + " bytes, the limit is " +
-                            std::to_string(kPictureBytesMax));
-  if (begins_with(bytes, kPngMagic)) return read_png_rows(bytes, taker);
-  if (begins_with(bytes, kJpegMagic)) return read_jpeg_rows(bytes, taker);
-  return unimplemented("the picture is neither PNG nor JPEG");
+  ASSIGN_OR_RETURN(const PictureKind kind, kind_of_picture(bytes));
+  return kind == PictureKind::kPng ? read_png_rows(bytes, taker) : read_jpeg_rows(bytes, taker);
 }
 
 static std::string in_words(const PictureSize& size) {

@@ -1,10 +1,7 @@
-#include <algorithm>
-#include <csetjmp>
-#include <cstdio>
-#include <png.h>
 #include <vector>
 
 #include "common/picture/picture_formats.h"
+#include "common/picture/png_reading.h"
 
 namespace burnish {
 
@@ -13,39 +10,11 @@ namespace {
 constexpr uint64_t kPngDecoderBytes = uint64_t{1} << 18;  // zlib's window, libpng's buffers
 constexpr uint64_t kPngBytesPerColumn = 3 * 8 + 4;        // three rows of 16 bits, one of ours
 
-/// The state of one decoding. libpng leaves by longjmp, so no frame between has a destructor.
-struct PngDecoding {
-  explicit PngDecoding(std::span<const uint8_t> file) : left(file) {}
-  ~PngDecoding() { png_destroy_read_struct(&png, &info, nullptr); }
-
-  std::span<const uint8_t> left;
-  png_structp png = nullptr;
-  png_infop info = nullptr;
-  std::string message;
-  bool is_cancelled = false;
+/// A decoding, and the row that it is at. Each step returns false where libpng failed.
+struct PngDecoding : PngReading {
+  using PngReading::PngReading;
   std::vector<Rgba8> row;
 };
-
-[[noreturn]] void leave(png_structp png, png_const_charp message) {
-  static_cast<PngDecoding*>(png_get_error_ptr(png))->message = message;
-  png_longjmp(png, 1);
-}
-
-void ignore_warning(png_structp, png_const_charp) {}
-
-void give_bytes(png_structp png, png_bytep to, size_t count) {
-  auto& left = static_cast<PngDecoding*>(png_get_io_ptr(png))->left;
-  if (count > left.size()) png_error(png, "the file ends early");
-  std::copy_n(left.begin(), count, to);
-  left = left.subspan(count);
-}
-
-/// Each step returns false where libpng failed; `message` then says why.
-bool read_header(PngDecoding& decoding) {
-  if (setjmp(png_jmpbuf(decoding.png)) != 0) return false;
-  png_read_info(decoding.png, decoding.info);
-  return true;
-}
 
 /// Asks for sRGB with alpha in 8 bits a channel. A file that does not say its gamma is in sRGB.
 bool choose_pixels(PngDecoding& decoding) {
@@ -65,11 +34,6 @@ bool read_row(PngDecoding& decoding) {
   if (setjmp(png_jmpbuf(decoding.png)) != 0) return false;
   png_read_row(decoding.png, reinterpret_cast<png_bytep>(decoding.row.data()), nullptr);
   return true;
-}
-
-Status png_failure(const PngDecoding& decoding) {
-  if (decoding.is_cancelled) return cancelled("decoding was cancelled");
-  return invalid_argument("libpng: " + decoding.message);
 }
 
 /// A pass of an interlaced picture, or the whole of another.
@@ -105,21 +69,15 @@ bool read_pass(PngDecoding& decoding, const Pass& pass, const PictureSize& size,
 
 Status read_png_rows(std::span<const uint8_t> bytes, const PictureTaker& taker) {
   PngDecoding decoding(bytes);
-  decoding.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &decoding, leave, ignore_warning);
-  if (decoding.png != nullptr) decoding.info = png_create_info_struct(decoding.png);
-  if (decoding.info == nullptr) return resource_exhausted("not enough memory for libpng");
-  png_set_read_fn(decoding.png, &decoding, give_bytes);
-  if (!read_header(decoding)) return png_failure(decoding);
+  if (!read_png_header(decoding)) return decoding.failure();
   PictureSize size{png_get_image_width(decoding.png, decoding.info),
                    png_get_image_height(decoding.png, decoding.info), kPngDecoderBytes};
   size.decoding_bytes += size.width * kPngBytesPerColumn;
   RETURN_IF_ERROR(begin_picture(size, bytes.size(), taker));
-  if (!choose_pixels(decoding)) return png_failure(decoding);
+  if (!choose_pixels(decoding)) return decoding.failure();
   decoding.row.resize(size.width);
-  const bool is_interlaced =
-      png_get_interlace_type(decoding.png, decoding.info) == PNG_INTERLACE_ADAM7;
-  for (const Pass& pass : passes_of(is_interlaced))
-    if (!read_pass(decoding, pass, size, taker)) return png_failure(decoding);
+  for (const Pass& pass : passes_of(decoding.is_interlaced()))
+    if (!read_pass(decoding, pass, size, taker)) return decoding.failure();
   return Status::ok();
 }
 

@@ -57,8 +57,19 @@ inline std::string interlaced_png_of(const Picture& picture) {
   return file;
 }
 
-/// Returns the picture as a JPEG file of the best quality; a progressive one has several scans.
-inline std::string jpeg_of(const Picture& picture, bool is_progressive = false) {
+/// How a JPEG file is written.
+struct JpegStyle {
+  bool is_progressive = false;  ///< several scans
+  int sampling = 2;             ///< pixels along a side for one sample of chroma: 1 or 2
+  bool is_grey = false;
+  bool has_arithmetic_codes = false;
+  std::string comment = {};
+  int quality = 100;
+  int restart_rows = 0;
+};
+
+/// Returns the picture as a JPEG file.
+inline std::string jpeg_of(const Picture& picture, const JpegStyle& style) {
   jpeg_compress_struct jpeg = {};
   jpeg_error_mgr errors = {};
   jpeg.err = jpeg_std_error(&errors);
@@ -71,9 +82,16 @@ inline std::string jpeg_of(const Picture& picture, bool is_progressive = false) 
   jpeg.input_components = 4;
   jpeg.in_color_space = JCS_EXT_RGBA;
   jpeg_set_defaults(&jpeg);
-  jpeg_set_quality(&jpeg, 100, TRUE);
-  if (is_progressive) jpeg_simple_progression(&jpeg);
+  if (style.is_grey) jpeg_set_colorspace(&jpeg, JCS_GRAYSCALE);
+  jpeg.comp_info[0].h_samp_factor = jpeg.comp_info[0].v_samp_factor = style.sampling;
+  jpeg_set_quality(&jpeg, style.quality, TRUE);
+  jpeg.restart_in_rows = style.restart_rows;
+  jpeg.arith_code = style.has_arithmetic_codes ? TRUE : FALSE;
+  if (style.is_progressive) jpeg_simple_progression(&jpeg);
   jpeg_start_compress(&jpeg, TRUE);
+  if (!style.comment.empty())
+    jpeg_write_marker(&jpeg, JPEG_COM, reinterpret_cast<const JOCTET*>(style.comment.data()),
+                      static_cast<unsigned>(style.comment.size()));
   while (jpeg.next_scanline < jpeg.image_height) {
     const auto* first = &picture.pixels[size_t{jpeg.next_scanline} * picture.width];
     JSAMPROW row = reinterpret_cast<JSAMPROW>(const_cast<Rgba8*>(first));
@@ -84,6 +102,11 @@ inline std::string jpeg_of(const Picture& picture, bool is_progressive = false) 
   jpeg_destroy_compress(&jpeg);
   std::free(bytes);
   return file;
+}
+
+/// Returns the picture as a JPEG file of the best quality.
+inline std::string jpeg_of(const Picture& picture, bool is_progressive = false) {
+  return jpeg_of(picture, JpegStyle{.is_progressive = is_progressive});
 }
 
 }  // namespace burnish
