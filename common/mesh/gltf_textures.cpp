@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -22,14 +24,26 @@ class GltfImage {
         place_(place_text("image", image)) {}
 
   Result<std::vector<uint8_t>> read() const {
-    const GltfJson* uri = find_member(json_, "uri");
-    if (uri != nullptr && uri->is_string()) return read_uri(uri->get_ref<const std::string&>());
+    if (const auto uri = written_uri()) return read_uri(*uri);
     ASSIGN_OR_RETURN(const uint64_t index, read_whole(json_, "bufferView", place_));
     ASSIGN_OR_RETURN(const GltfView view, views_.view(index, place_));
     return std::vector<uint8_t>(view.bytes.begin(), view.bytes.end());
   }
 
+  /// Returns the path of its file; empty if it is embedded, or missing.
+  std::string path() const {
+    const auto uri = written_uri();
+    if (!uri || uri->starts_with("data:") || beside_.files == nullptr) return {};
+    return beside_.files->find(folder_of(beside_.path), unescaped_uri(*uri)).value_or("");
+  }
+
  private:
+  std::optional<std::string_view> written_uri() const {
+    const GltfJson* uri = find_member(json_, "uri");
+    if (uri == nullptr || !uri->is_string()) return std::nullopt;
+    return std::string_view(uri->get_ref<const std::string&>());
+  }
+
   Result<std::vector<uint8_t>> read_uri(std::string_view uri) const {
     constexpr std::string_view kMark = ";base64,";
     if (!uri.starts_with("data:")) return read_file(unescaped_uri(uri));
@@ -103,7 +117,7 @@ class GltfTextureReader {
     if (is_new) {
       const GltfImage reader(views_, beside_, image);
       textures_.pictures.push_back(
-          {place_text("image", image), [reader] { return reader.read(); }});
+          {place_text("image", image), [reader] { return reader.read(); }, reader.path(), image});
     }
     return found->second;
   }

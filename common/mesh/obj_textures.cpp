@@ -70,7 +70,8 @@ class ObjTextureReader {
     const auto [found, is_new] =
         pictures_.emplace(path, static_cast<uint32_t>(textures_.pictures.size()));
     if (is_new)
-      textures_.pictures.push_back({path, [&files = files_, path] { return files.read(path); }});
+      textures_.pictures.push_back(
+          {path, [&files = files_, path] { return files.read(path); }, path});
     return found->second;
   }
 

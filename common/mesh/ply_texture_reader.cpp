@@ -169,7 +169,7 @@ void add_pictures(const std::vector<std::string>& names, const MeshSurroundings&
     material.picture = found->second;
     if (is_new)
       textures.pictures.push_back(
-          {*path, [files = beside.files, path = *path] { return files->read(path); }});
+          {*path, [files = beside.files, path = *path] { return files->read(path); }, *path});
   }
 }
 

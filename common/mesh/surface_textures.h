@@ -25,6 +25,8 @@ inline constexpr uint32_t kNoTexture = UINT32_MAX;
 struct SurfacePicture {
   std::string name;  ///< for messages
   std::function<Result<std::vector<uint8_t>>()> read;
+  std::string path = {};        ///< among the files beside the mesh; empty: inside its file
+  uint32_t image = kNoTexture;  ///< of a glTF file
 };
 
 /// The base colour of a material, in linear light.

@@ -123,8 +123,9 @@ bool may_have_pictures(std::span<const uint8_t> bytes, MeshFormat format) try {
 }
 
 Status read_textured_surface(std::span<const uint8_t> bytes, MeshFormat format,
-                             const std::string& name, const TakeSurface& take) try {
-  return take_surface({bytes, format, name, {}}, take);
+                             const std::string& name, const TakeSurface& take,
+                             const MeshSurroundings& beside) try {
+  return take_surface({bytes, format, name, beside}, take);
 } catch (const std::bad_alloc&) {
   return resource_exhausted(name + ": not enough memory for a file of " +
                             std::to_string(bytes.size()) + " bytes");

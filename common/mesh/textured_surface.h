@@ -6,6 +6,7 @@
 #include <string>
 
 #include "common/base/status.h"
+#include "common/mesh/files_beside.h"
 #include "common/mesh/mesh_format.h"
 #include "common/mesh/surface_textures.h"
 #include "common/mesh/triangle_mesh.h"
@@ -29,6 +30,7 @@ bool may_have_pictures(std::span<const uint8_t> bytes, MeshFormat format);
 /// Reads and validates the mesh of a stored file and its textures, without any picture's texels.
 /// `name` is for messages. Fails: as read_mesh(); as `take` does.
 Status read_textured_surface(std::span<const uint8_t> bytes, MeshFormat format,
-                             const std::string& name, const TakeSurface& take);
+                             const std::string& name, const TakeSurface& take,
+                             const MeshSurroundings& beside = {});
 
 }  // namespace burnish

@@ -7,6 +7,7 @@
 
 #include "common/base/status.h"
 #include "common/mesh/output_buffer.h"
+#include "common/mesh/rewrite/edited_pictures.h"
 #include "common/mesh/rewrite/moved_mesh.h"
 
 /// Private to this folder: one rewriter per format; rewrite.cpp chooses among them. A rewriter
@@ -26,6 +27,6 @@ Status rewrite_stl(std::span<const uint8_t> bytes, const std::string& name, cons
 Status rewrite_off(std::span<const uint8_t> bytes, const std::string& name, const MovedMesh& moved,
                    OutputBuffer& output);
 Status rewrite_zip(std::span<const uint8_t> bytes, const std::string& name, const MovedMesh& moved,
-                   OutputBuffer& output);
+                   OutputBuffer& output, PictureWork* pictures);
 
 }  // namespace burnish

@@ -5,6 +5,7 @@
 
 #include "common/base/check.h"
 #include "common/gltf/base64.h"
+#include "common/mesh/rewrite/gltf_view_range.h"
 
 namespace burnish {
 
@@ -40,6 +41,33 @@ uint64_t GltfEdit::append_view(std::span<const uint8_t> bytes, uint64_t stride) 
   json_["buffers"][index]["byteLength"] = buffer.size();
   json_["bufferViews"].push_back(std::move(view));
   return json_["bufferViews"].size() - 1;
+}
+
+/// Moves a view, or what an extension says of its packed bytes.
+static void move_if_behind(GltfJson& view, const GltfViewRange& grown, uint64_t bytes) {
+  const GltfViewRange range(view);
+  if (range.buffer == grown.buffer && range.begin >= grown.end)
+    view["byteOffset"] = range.begin + bytes;
+}
+
+void GltfEdit::replace_view(uint64_t index, std::span<const uint8_t> bytes) {
+  constexpr uint64_t kViewAlignment = 8;  // of the largest numbers, for the views behind
+  GltfJson& views = json_["bufferViews"];
+  const GltfViewRange range(views[index]);
+  std::vector<uint8_t>& buffer = edited(range.buffer);
+  const uint64_t room = range.end - range.begin;
+  if (bytes.size() > room) {
+    const uint64_t lack = (bytes.size() - room + kViewAlignment - 1) & ~(kViewAlignment - 1);
+    for (GltfJson& view : views) {
+      move_if_behind(view, range, lack);
+      if (!view.contains("extensions")) continue;
+      for (GltfJson& extension : view["extensions"]) move_if_behind(extension, range, lack);
+    }
+    buffer.insert(buffer.begin() + static_cast<ptrdiff_t>(range.end), lack, 0);
+    json_["buffers"][range.buffer]["byteLength"] = buffer.size();
+  }
+  views[index]["byteLength"] = bytes.size();
+  std::ranges::copy(bytes, buffer.begin() + static_cast<ptrdiff_t>(range.begin));
 }
 
 void GltfEdit::put_data_uris() {

@@ -35,6 +35,10 @@ class GltfEdit {
   /// bytes that are not vertices'.
   uint64_t append_view(std::span<const uint8_t> bytes, uint64_t stride);
 
+  /// Puts bytes into a view in the place of its own. Views behind them move if they need more room.
+  /// Call last: accessors' bytes may lie elsewhere afterwards. Needs: a view that shares no bytes.
+  void replace_view(uint64_t index, std::span<const uint8_t> bytes);
+
   /// Writes the file. Adds the files beside it that changed to `beside`. Fails: invalid_argument if
   /// a binary file would exceed 4 GiB.
   Status write(OutputBuffer& output, std::vector<GltfFileBeside>& beside);

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "common/mesh/rewrite/gltf_accessors.h"
+#include "common/mesh/rewrite/gltf_images.h"
 
 namespace burnish {
 
@@ -128,7 +129,8 @@ class GltfRewriter {
 }  // namespace
 
 Status rewrite_gltf(std::span<const uint8_t> bytes, const std::string& name,
-                    const GltfFilesBeside& beside, const MovedMesh& moved, OutputBuffer& output,
+                    const GltfFilesBeside& beside, const MovedMesh& moved,
+                    std::span<const EditedPicture> pictures, OutputBuffer& output,
                     std::vector<GltfFileBeside>& changed) {
   const auto document = open_gltf(bytes, beside);
   if (!document.is_ok()) return changed_original(name, document.status().message());
@@ -138,12 +140,15 @@ Status rewrite_gltf(std::span<const uint8_t> bytes, const std::string& name,
   if (!std::ranges::equal(surface->mesh.vertices, moved.before))
     return changed_original(name, "its positions are others");
   const GltfColumns columns = move_columns(*surface, moved);
-  if (!columns.is_changed()) {
+  const auto is_inside = [](const EditedPicture& picture) { return picture.path.empty(); };
+  if (!columns.is_changed() && std::ranges::none_of(pictures, is_inside)) {
     output.put_text({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     return Status::ok();
   }
   GltfEdit edit(*document, bytes);
-  GltfRewriter(*surface, columns, edit).rewrite();
+  if (columns.is_changed()) GltfRewriter(*surface, columns, edit).rewrite();
+  for (const EditedPicture& picture : pictures)
+    if (is_inside(picture)) put_gltf_image(edit, picture.image, picture.bytes);
   return edit.write(output, changed);
 }
 

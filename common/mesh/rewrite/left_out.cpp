@@ -105,4 +105,14 @@ Result<bool> keeps_changed_colours(const OriginalFile& original, MeshFormat to) 
   return rewrites_colours(packed.bytes, packed.mesh.format);
 }
 
+Result<std::vector<std::string>> edited_colours_left_out(const OriginalFile& original,
+                                                         MeshFormat to,
+                                                         const PictureReport& pictures) {
+  std::vector<std::string> names;
+  for (const std::string& kept : pictures.kept) names.push_back("edited colours of " + kept);
+  ASSIGN_OR_RETURN(const bool is_kept, keeps_changed_colours(original, to));
+  if (!is_kept && pictures.pictures == 0) names.emplace_back("edited colours");
+  return names;
+}
+
 }  // namespace burnish

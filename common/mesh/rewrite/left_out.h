@@ -17,8 +17,16 @@ Result<std::vector<std::string>> attributes_left_out(const OriginalFile& origina
                                                      const MeshView& mesh);
 
 /// Returns whether a file in this format has changed vertex colours. In the original's own format
-/// colours of textures cannot change, and those of glTF do not. Fails: as the file cannot be read.
+/// those of glTF do not change, nor those that come from textures. Fails: as the file cannot be
+/// read.
 Result<bool> keeps_changed_colours(const OriginalFile& original, MeshFormat to);
+
+/// Names what a written file does not have of edited colours: all of them if neither vertices nor
+/// pictures have them, and pictures that were kept, with the reason. Fails: as the file cannot be
+/// read.
+Result<std::vector<std::string>> edited_colours_left_out(const OriginalFile& original,
+                                                         MeshFormat to,
+                                                         const PictureReport& pictures);
 
 inline constexpr size_t kLeftOutMax = 20;
 

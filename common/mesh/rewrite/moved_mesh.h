@@ -7,16 +7,20 @@
 
 #include "common/base/status.h"
 #include "common/base/types.h"
+#include "common/mesh/rewrite/colour_edit.h"
 #include "common/mesh/triangle_mesh.h"
 
 namespace burnish {
 
-/// A mesh as read_mesh() gave it, and the same mesh with other positions. Triangles and the order
-/// of vertices are the file's. Needs: as many positions before as after.
+/// A mesh as read_mesh() gave it, and the same mesh with other positions and colours. Triangles and
+/// the order of vertices are the file's. Needs: as many positions before as after.
 struct MovedMesh {
   std::span<const Vec3d> before;
   MeshView after;
   double cap = 0;  ///< no vertex is written farther from its place than this; 0: anywhere
+  std::span<const Rgba8> colours_before = {};  ///< as read_mesh() gave them
+
+  ColourEdit colours() const { return {colours_before, after.colours}; }
 };
 
 /// Fails: data_loss if the original does not have this coordinate: it is not the file that was

@@ -19,15 +19,18 @@
 namespace burnish {
 
 /// Rewrites a glTF file that has no files beside it.
-static Status rewrite_alone(std::span<const uint8_t> original, const std::string& name,
-                            const MovedMesh& moved, OutputBuffer& output) {
+static Status rewrite_alone(std::span<const uint8_t> original, MeshFormat format,
+                            const std::string& name, const MovedMesh& moved, OutputBuffer& output,
+                            PictureWork* pictures) {
+  ASSIGN_OR_RETURN(const auto edited,
+                   edit_pictures_of({original, format, name, {}}, moved.colours(), pictures));
   std::vector<GltfFileBeside> none;
-  return rewrite_gltf(original, name, nullptr, moved, output, none);
+  return rewrite_gltf(original, name, nullptr, moved, edited, output, none);
 }
 
 static Status rewrite_in_format(std::span<const uint8_t> original, MeshFormat format,
                                 const std::string& name, const MovedMesh& moved,
-                                OutputBuffer& output) {
+                                OutputBuffer& output, PictureWork* pictures) {
   switch (format) {
     case MeshFormat::kPly:
       return rewrite_ply(original, name, moved, output);
@@ -39,28 +42,28 @@ static Status rewrite_in_format(std::span<const uint8_t> original, MeshFormat fo
       return rewrite_off(original, name, moved, output);
     case MeshFormat::kGlb:
     case MeshFormat::kGltf:
-      return rewrite_alone(original, name, moved, output);
+      return rewrite_alone(original, format, name, moved, output, pictures);
     case MeshFormat::kZip:
-      return rewrite_zip(original, name, moved, output);
+      return rewrite_zip(original, name, moved, output, pictures);
   }
   return invalid_argument(name + ": unknown mesh format");
 }
 
 Status rewrite_mesh(std::span<const uint8_t> original, MeshFormat format, const std::string& name,
-                    const MovedMesh& moved, OutputBuffer& output) {
+                    const MovedMesh& moved, OutputBuffer& output, PictureWork* pictures) {
   BURNISH_CHECK(moved.before.size() == moved.after.vertices.size(),
                 "a moved mesh has as many vertices as before");
-  RETURN_IF_ERROR(rewrite_in_format(original, format, name, moved, output));
+  RETURN_IF_ERROR(rewrite_in_format(original, format, name, moved, output, pictures));
   return output.flush();
 }
 
 static Status write_rewritten(std::span<const uint8_t> original, MeshFormat format,
                               const std::string& name, const MovedMesh& moved,
-                              const std::filesystem::path& path) {
+                              const std::filesystem::path& path, PictureWork* pictures) {
   RETURN_IF_ERROR(validate(moved.after).with_context("cannot write " + path.string()));
   ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(path));
   OutputBuffer output(file);
-  RETURN_IF_ERROR(rewrite_mesh(original, format, name, moved, output));
+  RETURN_IF_ERROR(rewrite_mesh(original, format, name, moved, output, pictures));
   return file.commit();
 }
 
@@ -94,20 +97,20 @@ static Status write_anew(const MovedMesh& moved, MeshFormat format,
 }
 
 Status write_moved_mesh(const OriginalFile& original, const MovedMesh& moved,
-                        const std::filesystem::path& path) {
+                        const std::filesystem::path& path, PictureWork* pictures) {
   ASSIGN_OR_RETURN(const MeshFormat format, mesh_format_of_path(path));
   ASSIGN_OR_RETURN(const WritePlan plan, plan_to_write(original, format));
   RETURN_IF_ERROR(check_one_file(plan));
   if (plan.way == WriteWay::kConvert) return write_anew(moved, format, path);
   ASSIGN_OR_RETURN(const MappedFile bytes, MappedFile::open(original.path));
   if (plan.way == WriteWay::kRewrite)
-    return write_rewritten(bytes.bytes(), format, original.name, moved, path);
+    return write_rewritten(bytes.bytes(), format, original.name, moved, path, pictures);
   if (plan.way == WriteWay::kPack) {
     ASSIGN_OR_RETURN(const auto archive, pack_alone(bytes.bytes(), original));
-    return write_rewritten(archive, format, original.name, moved, path);
+    return write_rewritten(archive, format, original.name, moved, path, pictures);
   }
   ASSIGN_OR_RETURN(const PackedMesh packed, PackedMesh::open(bytes.bytes(), original.name));
-  return write_rewritten(packed.bytes, format, packed.name, moved, path);
+  return write_rewritten(packed.bytes, format, packed.name, moved, path, pictures);
 }
 
 }  // namespace burnish

@@ -31,26 +31,42 @@ class ChangedEntries {
 };
 
 /// A glTF file may have its positions in a file beside it, which then changes too.
-Status rewrite_packed(const PackedMesh& packed, const MovedMesh& moved, OutputBuffer& output,
-                      ChangedEntries& changed) {
-  if (!is_gltf(packed.mesh.format))
-    return rewrite_mesh(packed.bytes, packed.mesh.format, packed.name, moved, output);
-  const ArchiveFiles beside(packed.archive);
-  GltfFiles files({&beside, packed.mesh.path});
+Status rewrite_packed_gltf(const PackedMesh& packed, const ArchiveFiles& beside,
+                           const MovedMesh& moved, std::span<const EditedPicture> pictures,
+                           OutputBuffer& output, ChangedEntries& changed) {
+  GltfFiles files({&beside, packed.mesh.path, {}});
   std::vector<GltfFileBeside> buffers;
-  RETURN_IF_ERROR(rewrite_gltf(packed.bytes, packed.name, files.reader(), moved, output, buffers));
+  RETURN_IF_ERROR(
+      rewrite_gltf(packed.bytes, packed.name, files.reader(), moved, pictures, output, buffers));
   for (GltfFileBeside& buffer : buffers)
     if (const auto entry = packed.archive.find(files.path_of(buffer.path)))
       changed.add(*entry, std::move(buffer.bytes));
   return output.flush();
 }
 
+Status rewrite_packed(const PackedMesh& packed, const MovedMesh& moved, OutputBuffer& output,
+                      ChangedEntries& changed, PictureWork* pictures) {
+  const ArchiveFiles beside(packed.archive);
+  ASSIGN_OR_RETURN(
+      auto edited,
+      edit_pictures_of(
+          {packed.bytes, packed.mesh.format, packed.name, {&beside, packed.mesh.path, {}}},
+          moved.colours(), pictures));
+  RETURN_IF_ERROR(is_gltf(packed.mesh.format)
+                      ? rewrite_packed_gltf(packed, beside, moved, edited, output, changed)
+                      : rewrite_mesh(packed.bytes, packed.mesh.format, packed.name, moved, output));
+  for (EditedPicture& picture : edited)
+    if (const auto entry = packed.archive.find(picture.path))
+      changed.add(*entry, std::move(picture.bytes));
+  return Status::ok();
+}
+
 }  // namespace
 
-/// Writes the archive's mesh to memory. All other entries keep their bytes, so an archive whose
-/// mesh keeps its bytes is copied as it is.
+/// Writes the archive's mesh to memory, and pictures that change. All other entries keep their
+/// bytes, so an archive whose mesh keeps its bytes is copied as it is.
 Status rewrite_zip(std::span<const uint8_t> bytes, const std::string& name, const MovedMesh& moved,
-                   OutputBuffer& output) {
+                   OutputBuffer& output, PictureWork* pictures) {
   ASSIGN_OR_RETURN(const PackedMesh packed, PackedMesh::open(bytes, name));
   std::vector<uint8_t> after;
   OutputBuffer gathered([&](std::string_view piece) {
@@ -58,7 +74,7 @@ Status rewrite_zip(std::span<const uint8_t> bytes, const std::string& name, cons
     return Status::ok();
   });
   ChangedEntries changed;
-  RETURN_IF_ERROR(rewrite_packed(packed, moved, gathered, changed));
+  RETURN_IF_ERROR(rewrite_packed(packed, moved, gathered, changed, pictures));
   if (after != packed.bytes) changed.add(packed.mesh.entry, std::move(after));
   if (changed.entries().empty()) {
     output.put_text(as_view(bytes));
