@@ -7,7 +7,7 @@
 namespace burnish {
 
 static constexpr int kSide = 8;
-static constexpr float kCoefficientMax = 1023;  // Huffman tables of 8-bit pictures end there
+static constexpr int kCoefficientMax = 1023;  // Huffman tables of 8-bit pictures end there
 
 /// Returns the matrix of the transform along one axis: frequency by place.
 static Block8 make_cosines() {
@@ -43,8 +43,10 @@ void add_to_block(const Block8& samples, std::span<const uint16_t, 64> steps,
   static const Block8 kCosines = make_cosines(), kTransposed = transposed(kCosines);
   const Block8 change = product(product(kCosines, samples), kTransposed);
   for (size_t i = 0; i < change.size(); ++i) {
-    const float rounded = std::nearbyint(change[i] / steps[i]);
-    if (rounded == 0) continue;
+    if (steps[i] == 0) continue;  // of a damaged file: no coefficient counts
+    const float part = change[i] / steps[i];
+    if (std::abs(part) < 0.5F) continue;
+    const auto rounded = static_cast<int>(part + (part > 0 ? 0.5F : -0.5F));
     coefficients[i] = static_cast<int16_t>(
         std::clamp(coefficients[i] + rounded, -kCoefficientMax, kCoefficientMax));
   }

@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-inline constexpr uint32_t kEditedRows = 64;  // of a band; whole MCUs of most JPEG files
+inline constexpr uint32_t kEditedRows = 128;  // of a band; whole MCUs of most JPEG files
 
 /// Private to this folder: a rewriter for each kind. Messages do not name the file.
 Result<RewrittenPicture> rewrite_png(std::span<const uint8_t> bytes, const PictureEditor& editor);

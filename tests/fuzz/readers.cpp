@@ -15,6 +15,7 @@
 #include "common/mesh/mtl_reader.h"
 #include "common/mesh/texture_row.h"
 #include "common/picture/picture.h"
+#include "common/picture/picture_rewriter.h"
 #include "common/wire/edit_bytes.h"
 #include "server/config/config_file.h"
 #include "server/fields/paint_checkpoints.h"
@@ -58,11 +59,27 @@ bool read_materials(std::span<const uint8_t> bytes) {
   return read_material_file(bytes, "fuzzed").is_ok();
 }
 
+/// Writes a picture again with darker greens.
+static void rewrite_fuzzed_picture(std::span<const uint8_t> bytes, const Picture& before) {
+  const auto begin = [](const PictureSize&) { return Status::ok(); };
+  const auto change = [](const FileRows& rows) {
+    for (FileTexel& texel : rows.texels) texel[1] /= 2;
+    return Status::ok();
+  };
+  const auto rewritten = rewrite_picture(bytes, "fuzzed", {begin, change, {}});
+  if (!rewritten.is_ok() || rewritten->bytes.empty()) return;
+  const auto after = read_picture(rewritten->bytes, "rewritten");
+  BURNISH_CHECK(after.is_ok(), after.status().message());
+  BURNISH_CHECK(after->width == before.width && after->height == before.height,
+                "a rewritten picture has other sides");
+}
+
 bool read_fuzzed_picture(std::span<const uint8_t> bytes) {
   const auto picture = read_picture(bytes, "fuzzed");
   if (!picture.is_ok()) return false;
   BURNISH_CHECK(picture->pixels.size() == size_t{picture->width} * picture->height,
                 "a picture has other than its pixels");
+  rewrite_fuzzed_picture(bytes, *picture);
   TextureRow row(picture->width);
   row.set({0, 0, 1, std::span(picture->pixels).first(picture->width)});
   (void)row.mean(-0.3, 1e6, TextureWrap::kMirror);

@@ -6,7 +6,9 @@
 #include "client/cli/filter/fields_file.h"
 #include "client/cli/filter/filter_output.h"
 #include "client/cli/filter/filter_report.h"
+#include "common/base/loop_progress.h"
 #include "common/base/out_of_memory.h"
+#include "common/base/process_memory.h"
 #include "common/denoise/edge_proposal.h"
 #include "common/mesh/mesh_io.h"
 #include "server/memory/opening_need.h"
@@ -134,8 +136,34 @@ void warn_unless_volume_is_kept(const Session& session) {
   if (!lost.empty()) std::cerr << "warning: " << lost << "\n";
 }
 
-FilteredFacts facts_of(const TriangleMesh& mesh, const Session& session, const FilterRun& run) {
-  FilteredFacts facts;
+/// Hears a cancel between rows of pictures. A picture takes memory that is there now.
+PictureBudget budget_of_pictures(LoopProgress& rows) {
+  return [&rows](uint64_t bytes) -> Status {
+    if (!rows.goes_on(0)) return cancelled("writing pictures was cancelled");
+    const uint64_t bytes_max = bytes == 0 ? UINT64_MAX : available_memory_bytes();
+    if (bytes <= bytes_max) return Status::ok();
+    return resource_exhausted("writing takes " + std::to_string(bytes >> 20) +
+                              " MiB; the machine has " + std::to_string(bytes_max >> 20) +
+                              " MiB available");
+  };
+}
+
+/// Writes OUT, and says in the facts what it has of edited colours.
+Status write_out(const FilterOptions& options, const FilterPaths& paths,
+                 const FilterFormats& formats, const MovedMesh& moved, const Progress& progress,
+                 FilteredFacts& facts) {
+  LoopProgress rows(progress, "pictures", 0, 0);
+  PictureWork pictures{budget_of_pictures(rows), {}};
+  RETURN_IF_ERROR(write_surface(options, paths, formats, moved, pictures));
+  facts.pictures = std::move(pictures.report);
+  if (!moved.colours().is_there()) return Status::ok();
+  ASSIGN_OR_RETURN(const auto names, tell_colours_left_out(paths, formats, facts.pictures));
+  facts.left_out.insert(facts.left_out.end(), names.begin(), names.end());
+  return Status::ok();
+}
+
+void add_facts_of(const TriangleMesh& mesh, const Session& session, const FilterRun& run,
+                  FilteredFacts& facts) {
   facts.vertices = mesh.vertices.size();
   facts.triangles = mesh.triangles.size();
   facts.depth = session.prepared().frame.depth;
@@ -144,7 +172,6 @@ FilteredFacts facts_of(const TriangleMesh& mesh, const Session& session, const F
   facts.converged = run.solve.converged;
   facts.distance = run.solve.last.distance;
   facts.volume = run.volume;
-  return facts;
 }
 
 }  // namespace
@@ -161,7 +188,8 @@ Result<FilteredFacts> filter_file(const FilterOptions& options, const std::vecto
   const Stopwatch reading;
   ASSIGN_OR_RETURN(const TriangleMesh mesh, read_mesh(paths.in));
   run.read_seconds = reading.seconds();
-  ASSIGN_OR_RETURN(auto left_out, tell_left_out(paths, formats, mesh));
+  FilteredFacts facts;
+  ASSIGN_OR_RETURN(facts.left_out, tell_left_out(paths, formats, mesh));
   const auto preparing = prepare(mesh, prepare_options, printer.progress(), &run.prepare);
   if (!preparing.is_ok()) return preparing.status().with_context(paths.in.string());
   const auto& prepared = *preparing;
@@ -177,15 +205,16 @@ Result<FilteredFacts> filter_file(const FilterOptions& options, const std::vecto
   ASSIGN_OR_RETURN(const TriangleMesh surface,
                    with_memory_for("the filtered surface",
                                    [&]() -> Result<TriangleMesh> { return session->surface(); }));
-  RETURN_IF_ERROR(write_surface(options, paths, formats,
-                                {mesh.vertices, surface, session->edited().controls().cap}));
+  RETURN_IF_ERROR(
+      write_out(options, paths, formats,
+                {mesh.vertices, surface, session->edited().controls().cap, mesh.colours},
+                printer.progress(), facts));
   run.write_seconds = writing.seconds();
   run.volume = session->kept_volume();
   if (!paths.report.empty()) RETURN_IF_ERROR(write_filter_report(*session, run, paths.report));
   warn_unless_converged(options, run.solve);
   warn_unless_volume_is_kept(*session);
-  FilteredFacts facts = facts_of(mesh, *session, run);
-  facts.left_out = std::move(left_out);
+  add_facts_of(mesh, *session, run, facts);
   facts.seconds = whole.seconds();
   return facts;
 }

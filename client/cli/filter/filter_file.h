@@ -8,6 +8,7 @@
 #include "client/cli/filter/filter_options.h"
 #include "common/base/status.h"
 #include "common/edit/edit.h"
+#include "common/mesh/rewrite/edited_pictures.h"
 
 namespace burnish {
 
@@ -22,6 +23,7 @@ struct FilteredFacts {
   std::optional<double> volume;  ///< over the scan's; nothing unless it is to be kept
   double seconds = 0;
   std::vector<std::string> left_out;  ///< attributes of IN that OUT does not have
+  PictureReport pictures;             ///< of IN, with edited colours
 };
 
 /// The files of one run.

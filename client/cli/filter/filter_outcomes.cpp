@@ -31,6 +31,10 @@ static void add_facts(const FilteredFacts& facts, ordered_json& json) {
   json["volume"] = facts.volume ? ordered_json(*facts.volume) : ordered_json();
   json["seconds"] = facts.seconds;
   json["left_out"] = facts.left_out;
+  const PictureReport& pictures = facts.pictures;
+  json["pictures"] = {{"edited", pictures.pictures}, {"changed", pictures.changed},
+                      {"texels", pictures.texels},   {"shared_texels", pictures.shared_texels},
+                      {"kept", pictures.kept},       {"notes", pictures.notes}};
 }
 
 static void add_failure(const Status& status, ordered_json& json) {
@@ -70,6 +74,8 @@ void print_outcome(const FilterOutcome& outcome) {
   stream << outcome.job.out << ": depth " << facts.depth << ", " << facts.corners << " corners, "
          << facts.cycles << " cycles, estimated distance " << facts.distance
          << " of the diagonal\n";
+  if (const std::string pictures = text_of(facts.pictures); !pictures.empty())
+    stream << outcome.job.out << ": " << pictures << "\n";
 }
 
 void print_outcomes_json(const std::vector<FilterOutcome>& outcomes, const Status& begun) {

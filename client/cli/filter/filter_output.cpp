@@ -43,13 +43,39 @@ Result<std::vector<std::string>> tell_left_out(const FilterPaths& paths, FilterF
   return left_out;
 }
 
+/// Returns whether pictures beside the mesh are to change.
+static bool changes_pictures_beside(const FilterOptions& options, const FilterPaths& paths,
+                                    const FilterFormats& formats, const MovedMesh& moved) {
+  const bool is_one_mesh =
+      formats.plan.way == WriteWay::kUnpack ||
+      (formats.plan.way == WriteWay::kRewrite && formats.out != MeshFormat::kZip);
+  if (!is_one_mesh || paths.out_name == kStandardStream || !moved.colours().is_there())
+    return false;
+  std::error_code ignored;
+  const auto folder_of = [](const std::filesystem::path& file) {
+    return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  };
+  return options.force || formats.plan.way == WriteWay::kUnpack ||
+         !std::filesystem::equivalent(folder_of(paths.in), folder_of(paths.out), ignored);
+}
+
 Status write_surface(const FilterOptions& options, const FilterPaths& paths, FilterFormats formats,
-                     const MovedMesh& moved) {
-  if (formats.packs()) return write_packed_mesh(paths.in, moved, paths.out);
-  if (!formats.plan.buffers.empty())
-    return write_spread_mesh(paths.in, moved, paths.out, options.force);
+                     const MovedMesh& moved, PictureWork& pictures) {
+  const OriginalFile original = original_of(paths, formats.in);
+  if (formats.packs()) return write_packed_mesh(paths.in, moved, paths.out, pictures);
+  if (!formats.plan.buffers.empty() || changes_pictures_beside(options, paths, formats, moved))
+    return write_spread_mesh(original, moved, paths.out, options.force, pictures);
   RETURN_IF_ERROR(place_files_of(paths.in, paths.out, options.force));
-  return write_moved_mesh(original_of(paths, formats.in), moved, paths.out);
+  return write_moved_mesh(original, moved, paths.out, &pictures);
+}
+
+Result<std::vector<std::string>> tell_colours_left_out(const FilterPaths& paths,
+                                                       FilterFormats formats,
+                                                       const PictureReport& pictures) {
+  ASSIGN_OR_RETURN(auto left_out,
+                   edited_colours_left_out(original_of(paths, formats.in), formats.out, pictures));
+  warn_of_left_out(left_out, paths.out_name);
+  return left_out;
 }
 
 }  // namespace burnish

@@ -5,6 +5,7 @@
 
 #include "client/cli/filter/filter_file.h"
 #include "common/mesh/mesh_format.h"
+#include "common/mesh/rewrite/edited_pictures.h"
 #include "common/mesh/rewrite/moved_mesh.h"
 #include "common/mesh/rewrite/write_plan.h"
 
@@ -25,9 +26,16 @@ Result<FilterFormats> check_filter_paths(const FilterOptions& options, const Fil
 Result<std::vector<std::string>> tell_left_out(const FilterPaths& paths, FilterFormats formats,
                                                const TriangleMesh& mesh);
 
-/// Writes the solved surface in the format of OUT, with the files beside it. Fails: as
+/// Writes the solved surface in the format of OUT, with the files beside it. Pictures get edited
+/// colours, but for the scan's own where OUT lies in their folder without --force. Fails: as
 /// write_moved_mesh(), place_files_of(), write_packed_mesh() and write_spread_mesh().
 Status write_surface(const FilterOptions& options, const FilterPaths& paths, FilterFormats formats,
-                     const MovedMesh& moved);
+                     const MovedMesh& moved, PictureWork& pictures);
+
+/// Returns what OUT does not have of edited colours, and warns of it on stderr. Fails: as IN cannot
+/// be read.
+Result<std::vector<std::string>> tell_colours_left_out(const FilterPaths& paths,
+                                                       FilterFormats formats,
+                                                       const PictureReport& pictures);
 
 }  // namespace burnish

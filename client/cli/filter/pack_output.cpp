@@ -24,7 +24,7 @@ static Result<std::vector<uint8_t>> pack_original(const ScanBundle& bundle) {
 }
 
 Status write_packed_mesh(const std::filesystem::path& original, const MovedMesh& moved,
-                         const std::filesystem::path& archive) {
+                         const std::filesystem::path& archive, PictureWork& pictures) {
   ASSIGN_OR_RETURN(const ScanBundle bundle, ScanBundle::open(original));
   if (!bundle.missing().empty())
     std::cerr << "warning: not beside " << original.string() << ": "
@@ -32,20 +32,24 @@ Status write_packed_mesh(const std::filesystem::path& original, const MovedMesh&
   ASSIGN_OR_RETURN(const std::vector<uint8_t> packed, pack_original(bundle));
   ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(archive));
   OutputBuffer output(file);
-  RETURN_IF_ERROR(rewrite_mesh(packed, MeshFormat::kZip, original.string(), moved, output));
+  RETURN_IF_ERROR(
+      rewrite_mesh(packed, MeshFormat::kZip, original.string(), moved, output, &pictures));
   return file.commit();
 }
 
-Status write_spread_mesh(const std::filesystem::path& original, const MovedMesh& moved,
-                         const std::filesystem::path& copy, bool replaces) {
-  ASSIGN_OR_RETURN(const ScanBundle bundle, ScanBundle::open(original));
+Status write_spread_mesh(const OriginalFile& original, const MovedMesh& moved,
+                         const std::filesystem::path& copy, bool replaces, PictureWork& pictures) {
+  ASSIGN_OR_RETURN(const ScanBundle bundle, ScanBundle::open(original.path));
+  if (bundle.format() != MeshFormat::kZip)
+    return write_moved_mesh(original, moved, copy, &pictures);
   std::vector<uint8_t> after;
   OutputBuffer output([&](std::string_view piece) {
     after.insert(after.end(), piece.begin(), piece.end());
     return Status::ok();
   });
-  RETURN_IF_ERROR(rewrite_mesh(bundle.bytes(), bundle.format(), original.string(), moved, output));
-  ASSIGN_OR_RETURN(const Archive archive, Archive::open(after, original.string()));
+  RETURN_IF_ERROR(
+      rewrite_mesh(bundle.bytes(), bundle.format(), original.name, moved, output, &pictures));
+  ASSIGN_OR_RETURN(const Archive archive, Archive::open(after, original.name));
   ASSIGN_OR_RETURN(const ArchivedMesh mesh, find_mesh(archive));
   return place_mesh(archive, mesh, copy, replaces).status();
 }

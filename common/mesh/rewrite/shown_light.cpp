@@ -22,28 +22,14 @@ ShownLight::ShownLight() {
   }
 }
 
-float ShownLight::of_level(float level) const {
-  if (!(level > 0)) return 0;
-  const float place = std::min(level, static_cast<float>(kLevels)) * kPartsOfLevel;
-  const auto below = static_cast<size_t>(place);
-  return lights_[below] +
-         (place - static_cast<float>(below)) * (lights_[below + 1] - lights_[below]);
-}
-
 float ShownLight::of_value(uint16_t value, uint16_t max) const {
   if (max == kLevels) return lights_[size_t{value} * kPartsOfLevel];
   return std::pow(static_cast<float>(value) / max, static_cast<float>(kShownGamma));
 }
 
-uint16_t ShownLight::value_of(float light, uint16_t max) const {
-  if (!(light > 0)) return 0;
-  if (light >= 1) return max;
-  if (max != kLevels)
-    return static_cast<uint16_t>(
-        std::lround(max * std::pow(light, static_cast<float>(1 / kShownGamma))));
-  size_t byte = bytes_[static_cast<size_t>(light * kParts)];
-  while (byte < kLevels && begins_[byte + 1] <= light) ++byte;
-  return static_cast<uint16_t>(byte);
+uint16_t ShownLight::fine_value_of(float light, uint16_t max) {
+  return static_cast<uint16_t>(
+      std::lround(max * std::pow(light, static_cast<float>(1 / kShownGamma))));
 }
 
 }  // namespace burnish

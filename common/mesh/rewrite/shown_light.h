@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -14,15 +15,30 @@ class ShownLight {
   ShownLight();
 
   /// Returns the light of a level, 0 to 255, which may lie between two bytes. Others are cut off.
-  float of_level(float level) const;
+  float of_level(float level) const {
+    if (!(level > 0)) return 0;
+    const float place = std::min(level, static_cast<float>(kLevels)) * kPartsOfLevel;
+    const auto below = static_cast<int>(place);
+    const float* light = &lights_[static_cast<size_t>(below)];
+    return light[0] + (place - static_cast<float>(below)) * (light[1] - light[0]);
+  }
 
   /// Returns the light of a channel, 0 to `max`: 255 or 65535.
   float of_value(uint16_t value, uint16_t max) const;
 
   /// Returns the nearest channel, 0 to `max`. Light is cut off at black and white; NaN is black.
-  uint16_t value_of(float light, uint16_t max) const;
+  uint16_t value_of(float light, uint16_t max) const {
+    if (!(light > 0)) return 0;
+    if (light >= 1) return max;
+    if (max != kLevels) return fine_value_of(light, max);
+    size_t byte = bytes_[static_cast<size_t>(static_cast<int>(light * kParts))];
+    while (byte < kLevels && begins_[byte + 1] <= light) ++byte;
+    return static_cast<uint16_t>(byte);
+  }
 
  private:
+  static uint16_t fine_value_of(float light, uint16_t max);
+
   static constexpr int kLevels = 255, kPartsOfLevel = 16, kParts = 4096;
 
   std::array<float, kLevels * kPartsOfLevel + 2> lights_;  // by level

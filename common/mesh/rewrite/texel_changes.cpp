@@ -12,66 +12,98 @@ namespace burnish {
 
 namespace {
 
-constexpr uint32_t kBandRowsMax = 128;  // of a rewriter, with room for a JPEG's largest MCUs
+constexpr uint32_t kBandRowsMax = 160;  // of a rewriter, with room for a JPEG's largest MCUs
+constexpr uint32_t kGroupRows = 8;      // what a thread draws at once
 constexpr float kLeastTint = 1 / 64.F;  // of a channel: below it no texel shows the change
 
-/// A value that is linear over the picture.
-struct LinearValue {
-  double at_origin = 0, per_x = 0;
+/// A value that is linear over the picture, by texels.
+struct Plane {
+  double at_first = 0, per_x = 0, per_y = 0;
+
+  /// Returns the value at a texel's centre, and the step to the next one.
+  std::array<float, 2> at(uint32_t x, uint32_t y) const {
+    return {static_cast<float>(at_first + x * per_x + y * per_y), static_cast<float>(per_x)};
+  }
 };
 
-/// The part of a row of texels that a triangle covers, and where its corners weigh there.
-struct Span {
-  uint32_t begin = 0, end = 0;
-  std::array<LinearValue, 3> weights;
+/// A side of a triangle, from its upper end. Both triangles of a side have the same numbers.
+struct Side {
+  Eigen::Vector2d begin, end;
+  double slope;
+
+  Side(const Eigen::Vector2d& a, const Eigen::Vector2d& b) : begin(a), end(b) {
+    if (b.y() < a.y() || (b.y() == a.y() && b.x() < a.x())) std::swap(begin, end);
+    slope = (end.x() - begin.x()) / (end.y() - begin.y());
+  }
+  bool crosses(double y) const { return begin.y() <= y && y < end.y(); }
+  double x_at(double y) const { return begin.x() + (y - begin.y()) * slope; }
 };
 
-/// Returns where a side crosses a height. Both triangles of a side get the same number.
-double crossing(Eigen::Vector2d a, Eigen::Vector2d b, double y) {
-  if (b.y() < a.y() || (b.y() == a.y() && b.x() < a.x())) std::swap(a, b);
-  return a.x() + (y - a.y()) * ((b.x() - a.x()) / (b.y() - a.y()));
-}
-
-uint32_t first_centre_from(double x, uint32_t width) {
-  return static_cast<uint32_t>(std::clamp(std::ceil(x - 0.5), 0.0, static_cast<double>(width)));
-}
-
-/// Returns the texels of a row whose centres lie in a triangle. A centre on a side is in one of the
-/// two triangles that share it.
-std::optional<Span> span_of(const std::array<Eigen::Vector2d, 3>& corners, uint32_t row,
-                            uint32_t width) {
-  const double y = row + 0.5;
-  double left = HUGE_VAL, right = -HUGE_VAL;
-  for (size_t k = 0; k < 3; ++k) {
-    const Eigen::Vector2d& a = corners[k];
-    const Eigen::Vector2d& b = corners[(k + 1) % 3];
-    if ((a.y() <= y) == (b.y() <= y)) continue;
-    const double x = crossing(a, b, y);
-    left = std::min(left, x);
-    right = std::max(right, x);
+/// A triangle on the picture.
+class DrawnTriangle {
+ public:
+  explicit DrawnTriangle(const std::array<Eigen::Vector2d, 3>& corners)
+      : sides_{{{corners[0], corners[1]}, {corners[1], corners[2]}, {corners[2], corners[0]}}} {
+    const Eigen::Vector2d p = corners[1] - corners[0], q = corners[2] - corners[0];
+    area_ = p.x() * q.y() - p.y() * q.x();
+    const double x = 0.5 - corners[0].x(), y = 0.5 - corners[0].y();
+    weights_[1] = {(x * q.y() - y * q.x()) / area_, q.y() / area_, -q.x() / area_};
+    weights_[2] = {(p.x() * y - p.y() * x) / area_, -p.y() / area_, p.x() / area_};
   }
-  if (!(left < right)) return std::nullopt;
-  Span span{first_centre_from(left, width), first_centre_from(right, width), {}};
-  if (span.begin >= span.end) return std::nullopt;
-  const Eigen::Vector2d p = corners[1] - corners[0], q = corners[2] - corners[0];
-  const double area = p.x() * q.y() - p.y() * q.x();
-  if (area == 0) return std::nullopt;
-  const double down = y - corners[0].y(), across = 0.5 - corners[0].x();
-  span.weights[1] = {(across * q.y() - down * q.x()) / area, q.y() / area};
-  span.weights[2] = {(p.x() * down - p.y() * across) / area, -p.y() / area};
-  span.weights[0] = {1 - span.weights[1].at_origin - span.weights[2].at_origin,
-                     -span.weights[1].per_x - span.weights[2].per_x};
-  return span;
-}
 
-/// Returns the sum of the corners' values by weight, at texel `begin` and per texel.
-std::array<float, 2> mixed(const Span& span, const std::array<double, 3>& values) {
-  double at = 0, step = 0;
-  for (size_t k = 0; k < 3; ++k) {
-    at += values[k] * (span.weights[k].at_origin + span.begin * span.weights[k].per_x);
-    step += values[k] * span.weights[k].per_x;
+  bool has_area() const { return area_ != 0; }
+
+  /// Returns the value between the corners' values.
+  Plane between(const std::array<double, 3>& values) const {
+    const double one = values[1] - values[0], other = values[2] - values[0];
+    return {values[0] + one * weights_[1].at_first + other * weights_[2].at_first,
+            one * weights_[1].per_x + other * weights_[2].per_x,
+            one * weights_[1].per_y + other * weights_[2].per_y};
   }
-  return {static_cast<float>(at), static_cast<float>(step)};
+
+  /// Returns the texels of a row whose centres lie inside: first, and behind the last. A centre on
+  /// a side is in one of the two triangles that share it.
+  std::array<uint32_t, 2> columns(uint32_t row, uint32_t width) const {
+    double left = HUGE_VAL, right = -HUGE_VAL;
+    for (const Side& side : sides_) {
+      if (!side.crosses(row + 0.5)) continue;
+      const double x = side.x_at(row + 0.5);
+      left = std::min(left, x);
+      right = std::max(right, x);
+    }
+    if (!(left < right)) return {0, 0};
+    const auto first_from = [&](double x) {
+      return static_cast<uint32_t>(std::clamp(std::ceil(x - 0.5), 0.0, double{1} * width));
+    };
+    return {first_from(left), first_from(right)};
+  }
+
+ private:
+  std::array<Side, 3> sides_;
+  std::array<Plane, 3> weights_;  // of the second and the third corner
+  double area_;
+};
+
+/// What a triangle adds to one channel: levels of its vertices, and what multiplies the texture.
+struct ChannelPlanes {
+  Plane before, after, tint;
+};
+
+ChannelPlanes planes_of(const TexturedSurface& surface, const ColourEdit& edit,
+                        const DrawnTriangle& drawn, uint32_t triangle, size_t channel) {
+  const SurfaceTextures& textures = surface.textures;
+  const float factor =
+      textures.materials[textures.triangles[triangle].material].factor[static_cast<int>(channel)];
+  std::array<double, 3> before, after, tint;
+  tint.fill(factor);
+  for (size_t k = 0; k < 3; ++k) {
+    const uint32_t v = surface.mesh.triangles[triangle][k];
+    before[k] = edit.before[v][channel];
+    after[k] = edit.after[v][channel];
+    if (surface.mesh.has_colours())
+      tint[k] *= double{linear_of_srgb(surface.mesh.colours[v][channel])};
+  }
+  return {drawn.between(before), drawn.between(after), drawn.between(tint)};
 }
 
 }  // namespace
@@ -104,71 +136,81 @@ void TexelChanges::activate(uint32_t first, uint32_t end) {
     active_.push_back(visits_[next_]);
 }
 
-void TexelChanges::sort_into_rows(uint32_t first, uint32_t end) {
-  row_begins_.assign(end - first + 1, 0);
-  const auto for_each_row = [&](const Visit& visit, const auto& use) {
-    const uint32_t behind = std::min(visit.last + 1, end);
-    for (uint32_t y = std::max(visit.first, first); y < behind; ++y) use(y - first);
+void TexelChanges::sort_into_groups(uint32_t first, uint32_t end) {
+  group_begins_.assign((end - first + kGroupRows - 1) / kGroupRows + 1, 0);
+  const auto for_each_group = [&](const Visit& visit, const auto& use) {
+    const uint32_t last = (std::min(visit.last, end - 1) - first) / kGroupRows;
+    for (uint32_t g = (std::max(visit.first, first) - first) / kGroupRows; g <= last; ++g) use(g);
   };
   for (const Visit& visit : active_)
-    for_each_row(visit, [&](uint32_t row) { ++row_begins_[row + 1]; });
-  std::partial_sum(row_begins_.begin(), row_begins_.end(), row_begins_.begin());
-  in_rows_.resize(row_begins_.back());
-  std::vector<uint32_t> next(row_begins_.begin(), row_begins_.end() - 1);
+    for_each_group(visit, [&](uint32_t group) { ++group_begins_[group + 1]; });
+  std::partial_sum(group_begins_.begin(), group_begins_.end(), group_begins_.begin());
+  in_groups_.resize(group_begins_.back());
+  std::vector<uint32_t> next(group_begins_.begin(), group_begins_.end() - 1);
   for (const Visit& visit : active_)
-    for_each_row(visit, [&](uint32_t row) { in_rows_[next[row]++] = visit.triangle; });
+    for_each_group(visit, [&](uint32_t group) { in_groups_[next[group]++] = visit.triangle; });
 }
 
 /// Returns whether a texel changes.
 bool TexelChanges::draw_rows(uint32_t first, uint32_t end) {
   changes_.assign(size_t{end - first} * width_, Change());
+  const size_t groups = group_begins_.size() - 1;
   bool is_changed = false;
 #pragma omp parallel for schedule(dynamic) reduction(|| : is_changed)
-  for (uint32_t y = first; y < end; ++y) {
-    const std::span<Change> row = row_of(y - first);
-    for (uint32_t i = row_begins_[y - first]; i < row_begins_[y - first + 1]; ++i)
-      draw(in_rows_[i], y, row);
-    for (Change& change : row) {
-      for (float& light : change.light) {
-        if (change.triangles > 1) light /= change.triangles;
-        is_changed = is_changed || light != 0;
-      }
-    }
+  for (size_t group = 0; group < groups; ++group) {
+    const auto from = first + static_cast<uint32_t>(group) * kGroupRows;
+    const uint32_t to = std::min(from + kGroupRows, end);
+    for (uint32_t i = group_begins_[group]; i < group_begins_[group + 1]; ++i)
+      draw(in_groups_[i], from, to, first);
+    for (uint32_t y = from; y < to; ++y) is_changed = take_means(row_of(y - first)) || is_changed;
   }
   return is_changed;
 }
 
-void TexelChanges::draw(uint32_t triangle, uint32_t y, std::span<Change> row) const {
-  const auto span = span_of(place_.corners(triangle), y, width_);
-  if (!span) return;
-  for (uint32_t x = span->begin; x < span->end; ++x) {
-    row[x].level = 1;
-    if (row[x].triangles < std::numeric_limits<uint16_t>::max()) ++row[x].triangles;
-  }
-  const Triangle& vertices = surface_.mesh.triangles[triangle];
-  if (!edit_.changes(vertices)) return;
-  const Vec3f& factor =
-      surface_.textures.materials[surface_.textures.triangles[triangle].material].factor;
-  const auto mixed_of = [&](const auto& value_of_vertex) {
-    return mixed(*span, {static_cast<double>(value_of_vertex(vertices[0])),
-                         static_cast<double>(value_of_vertex(vertices[1])),
-                         static_cast<double>(value_of_vertex(vertices[2]))});
-  };
-  for (size_t i = 0; i < 3; ++i) {
-    const auto before = mixed_of([&](uint32_t v) { return edit_.before[v][i]; });
-    const auto after = mixed_of([&](uint32_t v) { return edit_.after[v][i]; });
-    std::array<float, 2> tint = {factor[static_cast<int>(i)], 0};
-    if (surface_.mesh.has_colours())
-      tint = mixed_of([&](uint32_t v) {
-        return factor[static_cast<int>(i)] * linear_of_srgb(surface_.mesh.colours[v][i]);
-      });
-    for (uint32_t x = span->begin; x < span->end; ++x) {
-      const auto step = static_cast<float>(x - span->begin);
-      const float change = light_.of_level(after[0] + step * after[1]) -
-                           light_.of_level(before[0] + step * before[1]);
-      const float shown = tint[0] + step * tint[1];
-      if (shown >= kLeastTint) row[x].light[i] += change / shown;
+/// Returns whether a texel changes.
+bool TexelChanges::take_means(std::span<Change> row) {
+  bool is_changed = false;
+  for (Change& change : row)
+    for (float& light : change.light) {
+      if (change.triangles > 1) light /= change.triangles;
+      is_changed = is_changed || light != 0;
     }
+  return is_changed;
+}
+
+void TexelChanges::draw(uint32_t triangle, uint32_t from, uint32_t to, uint32_t first) {
+  const DrawnTriangle drawn(place_.corners(triangle));
+  if (!drawn.has_area()) return;
+  const bool is_edited = edit_.changes(surface_.mesh.triangles[triangle]);
+  std::array<ChannelPlanes, 3> planes;
+  for (size_t i = 0; is_edited && i < 3; ++i)
+    planes[i] = planes_of(surface_, edit_, drawn, triangle, i);
+  for (uint32_t y = from; y < to; ++y) {
+    const auto [begin, end] = drawn.columns(y, width_);
+    if (begin >= end) continue;
+    const std::span<Change> texels = row_of(y - first).subspan(begin, end - begin);
+    for (Change& texel : texels) {
+      texel.level = 1;
+      if (texel.triangles < std::numeric_limits<uint16_t>::max()) ++texel.triangles;
+    }
+    for (size_t i = 0; is_edited && i < 3; ++i)
+      add_row(texels, i, planes[i].before.at(begin, y), planes[i].after.at(begin, y),
+              planes[i].tint.at(begin, y));
+  }
+}
+
+/// Adds the change of a channel to texels side by side. Values and their steps: levels before and
+/// after, and the factor of the texture.
+void TexelChanges::add_row(std::span<Change> texels, size_t channel, std::array<float, 2> before,
+                           std::array<float, 2> after, std::array<float, 2> tint) const {
+  if (before == after) return;
+  for (size_t x = 0; x < texels.size(); ++x) {
+    const auto step = static_cast<float>(x);
+    const float shown = tint[0] + step * tint[1];
+    if (shown < kLeastTint) continue;
+    texels[x].light[channel] += (light_.of_level(after[0] + step * after[1]) -
+                                 light_.of_level(before[0] + step * before[1])) /
+                                shown;
   }
 }
 
@@ -221,7 +263,7 @@ Status TexelChanges::change(const FileRows& rows, const std::function<bool()>& g
   const uint32_t first = rows.first - std::min(rows.first, kGutterTexels);
   const uint32_t end = std::min(rows.first + rows.count + kGutterTexels, height_);
   activate(first, end);
-  sort_into_rows(first, end);
+  sort_into_groups(first, end);
   if (goes_on && !goes_on()) return cancelled("changing texels was cancelled");
   if (!draw_rows(first, end)) return Status::ok();
   for (uint16_t level = 2; level < 2 + kGutterTexels; ++level) extend(end - first, level);

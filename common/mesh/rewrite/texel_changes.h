@@ -58,9 +58,12 @@ class TexelChanges {
   };
 
   void activate(uint32_t first, uint32_t end);
-  void sort_into_rows(uint32_t first, uint32_t end);
+  void sort_into_groups(uint32_t first, uint32_t end);
   bool draw_rows(uint32_t first, uint32_t end);
-  void draw(uint32_t triangle, uint32_t y, std::span<Change> row) const;
+  void draw(uint32_t triangle, uint32_t from, uint32_t to, uint32_t first);
+  void add_row(std::span<Change> texels, size_t channel, std::array<float, 2> before,
+               std::array<float, 2> after, std::array<float, 2> tint) const;
+  static bool take_means(std::span<Change> row);
   void extend(uint32_t rows, uint16_t level);
   void find_around(uint32_t row, uint32_t rows, uint16_t level, std::vector<Found>& found) const;
   uint64_t apply(std::span<const Change> changes, std::span<FileTexel> texels, uint16_t max) const;
@@ -76,8 +79,8 @@ class TexelChanges {
   std::vector<Visit> visits_;  // by first row, then by number
   size_t next_ = 0;            // of visits_
   std::vector<Visit> active_;
-  std::vector<uint32_t> row_begins_, in_rows_;  // triangles of each row of a band
-  std::vector<Change> changes_;                 // of a band and the gutter around it
+  std::vector<uint32_t> group_begins_, in_groups_;  // triangles of some rows of a band
+  std::vector<Change> changes_;                     // of a band and the gutter around it
   uint64_t shared_texels_ = 0;
 };
 

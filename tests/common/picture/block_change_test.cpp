@@ -45,6 +45,15 @@ TEST(BlockChange, AChangeBelowHalfAStepIsNone) {
   EXPECT_EQ(coefficients, before);
 }
 
+TEST(BlockChange, AStepOfZeroKeepsTheCoefficients) {
+  Block8 samples;
+  samples.fill(200);
+  std::array<int16_t, 64> coefficients = {5, 4, 3};
+  const auto before = coefficients;
+  add_to_block(samples, steps_of(0), coefficients);
+  EXPECT_EQ(coefficients, before);
+}
+
 TEST(BlockChange, CoefficientsStayWithinHuffmanCodes) {
   Block8 samples;
   samples.fill(255);

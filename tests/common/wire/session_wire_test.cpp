@@ -18,9 +18,11 @@ TEST(SessionWire, ASummarySaysHowMuchOfTheVolumeThereIsAndWhy) {
   ExportSummary summary;
   summary.volume = 0.75;
   summary.lost_volume = "the volume is 75 %";
+  summary.pictures = "1 of 2 pictures changed, 30 texels";
   const ExportSummary arrived = from_wire(to_wire(summary)).value();
   EXPECT_EQ(arrived.volume, 0.75);
   EXPECT_EQ(arrived.lost_volume, summary.lost_volume);
+  EXPECT_EQ(arrived.pictures, summary.pictures);
 }
 
 TEST(SessionWire, ExportCyclesHaveLimits) {

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "common/mesh/textured_surface.h"
 #include "tests/common/gltf/glb_file.h"
 #include "tests/common/picture/encoding.h"
 

@@ -1,0 +1,76 @@
+#include <gmock/gmock.h>
+
+#include "common/archive/archive.h"
+#include "tests/common/archive/packing.h"
+#include "tests/common/mesh/rewrite/textured_grid.h"
+#include "tests/system/filter_command.h"
+
+namespace burnish {
+namespace {
+
+using testing::HasSubstr;
+
+/// `burnish filter` on a square with a picture, whose colours are evened out.
+class FilterPictures : public FilterCommand {
+ protected:
+  FilterPictures() {
+    const TexturedGrid grid{.begin = 0.05, .end = 0.95};
+    folder_.write("scan.obj", grid.obj());
+    folder_.write("skin.mtl", kSkinMtl);
+    folder_.write("skin.png", skin_);
+    folder_.write("scan.glb", grid.glb(skin_).glb());
+  }
+
+  /// Returns what is printed as JSON.
+  nlohmann::json evened(const std::string& in, const std::string& out,
+                        const std::vector<std::string>& more = {}) {
+    std::vector<std::string> words = {"filter", path(in),        path(out), "--depth",
+                                      "5",      "--colour-beta", "0",       "--colour-alpha",
+                                      "5",      "--json"};
+    words.insert(words.end(), more.begin(), more.end());
+    EXPECT_EQ(burnish(words), 0) << output_;
+    const size_t begin = output_.find("{");
+    return nlohmann::json::parse(output_.substr(begin)).at("files").at(0);
+  }
+
+  std::string content(const std::string& name) const { return content_of(folder_ / name); }
+
+  const std::string skin_ = png_of(drawn(64, 64, [](uint32_t x, uint32_t) {
+    return x < 32 ? Rgba8{60, 60, 60, 255} : Rgba8{190, 190, 190, 255};
+  }));
+};
+
+TEST_F(FilterPictures, EditedColoursAreInThePictureBesideTheMeshAndInAnArchive) {
+  const auto told = evened("scan.obj", "out.zip");
+  EXPECT_EQ(told["pictures"]["changed"], 1);
+  EXPECT_GT(told["pictures"]["texels"], 1000);
+  EXPECT_TRUE(told["left_out"].empty());
+  std::filesystem::create_directory(path("other"));
+  evened("scan.obj", "other/scan.obj");
+  EXPECT_NE(content("other/skin.png"), skin_);
+  EXPECT_EQ(content("skin.png"), skin_);
+  const std::string archive = content("out.zip");
+  const Archive opened = std::move(Archive::open(as_bytes(archive), "out")).value();
+  EXPECT_EQ(as_string(opened.read(opened.find("skin.png").value()).value()),
+            content("other/skin.png"));
+  std::filesystem::create_directory(path("third"));
+  evened("out.zip", "third/scan.obj");
+  EXPECT_NE(content("third/skin.png"), content("other/skin.png"));
+}
+
+TEST_F(FilterPictures, TheScansOwnPictureIsReplacedByForceAlone) {
+  const auto told = evened("scan.obj", "out.obj");
+  EXPECT_THAT(told["left_out"].dump(), HasSubstr("edited colours"));
+  EXPECT_EQ(content("skin.png"), skin_);
+  evened("scan.obj", "out.obj", {"--force"});
+  EXPECT_NE(content("skin.png"), skin_);
+}
+
+TEST_F(FilterPictures, APictureInsideAGlbChangesInIt) {
+  const auto told = evened("scan.glb", "out.glb");
+  EXPECT_EQ(told["pictures"]["changed"], 1);
+  EXPECT_NE(content("out.glb"), content("scan.glb"));
+}
+
+}  // namespace
+}  // namespace burnish
