@@ -32,6 +32,7 @@ void print(const ExportSummary& summary, const std::string& out) {
               static_cast<unsigned long long>(summary.triangles),
               static_cast<unsigned long long>(summary.size_bytes), summary.cycles,
               summary.assemble_seconds + summary.solve_seconds, summary.distance);
+  if (!summary.pictures.empty()) std::printf("%s: %s\n", out.c_str(), summary.pictures.c_str());
 }
 
 Status write_record_of(const ExportOptions& options, const ExportedFiles& exported,

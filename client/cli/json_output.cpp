@@ -126,6 +126,7 @@ Json to_json(const ExportSummary& summary) {
           {"assemble_seconds", summary.assemble_seconds},
           {"solve_seconds", summary.solve_seconds},
           {"left_out", summary.left_out},
+          {"pictures", summary.pictures},
           {"volume", summary.volume != 0 ? Json(summary.volume) : Json()}};
 }
 

@@ -188,6 +188,7 @@ void Workspace::tell_exported(const std::filesystem::path& file,
   log.info("exported " + file.string() + ", " + std::to_string(outcome->vertices) + " vertices");
   if (!outcome->left_out.empty())
     log.warning("not in " + file.filename().string() + ": " + left_out_text(outcome->left_out));
+  if (!outcome->pictures.empty()) log.info(file.filename().string() + ": " + outcome->pictures);
   if (!outcome->lost_volume.empty())
     log.warning(file.filename().string() + ": " + outcome->lost_volume);
 }

@@ -31,6 +31,7 @@ static Json output_of(const ProcessingRecord& record) {
           {"vertices", record.result.vertices},
           {"triangles", record.result.triangles},
           {"left_out", record.result.left_out},
+          {"pictures", record.result.pictures},
           {"lost_volume", record.result.lost_volume}};
 }
 

@@ -88,6 +88,7 @@ std::string files(const ProcessingRecord& record) {
   Facts output("Exported file");
   output.add("File", record.file + ", " + std::to_string(record.result.size_bytes) + " bytes");
   for (const std::string& name : record.result.left_out) output.add("Not in this file", name);
+  if (!record.result.pictures.empty()) output.add("Pictures", record.result.pictures);
   if (!record.result.lost_volume.empty()) output.add("Volume", record.result.lost_volume);
   return input.end() + output.add_hash(record.result.sha256).end();
 }

@@ -98,6 +98,7 @@ struct ExportSummary {
   bool is_archive = false;  ///< as the wish for files asks
   double volume = 0;        ///< over the scan's, if the controls keep it; else 0
   std::string lost_volume;  ///< why it is not the scan's, in words for users; empty: it is
+  std::string pictures;     ///< what became of those with edited colours, in words; empty: none
 };
 
 }  // namespace burnish

@@ -161,6 +161,7 @@ v1::ExportSummary to_wire(const ExportSummary& summary) {
   message.set_is_archive(summary.is_archive);
   message.set_volume(summary.volume);
   message.set_lost_volume(summary.lost_volume);
+  message.set_pictures(summary.pictures);
   if (summary.deviation)
     *message.mutable_deviation() = to_wire(SessionDeviation{*summary.deviation, summary.converged});
   return message;
@@ -184,6 +185,7 @@ Result<ExportSummary> from_wire(const v1::ExportSummary& message) {
   summary.is_archive = message.is_archive();
   summary.volume = message.volume();
   summary.lost_volume = message.lost_volume();
+  summary.pictures = message.pictures();
   if (message.has_deviation()) {
     ASSIGN_OR_RETURN(const SessionDeviation measured, from_wire(message.deviation()));
     summary.deviation = measured.deviation;

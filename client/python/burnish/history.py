@@ -143,9 +143,11 @@ class Exported:
     """Over the scan's, if the controls keep it; None if they do not."""
     lost_volume: str
     """How much of the volume there is, and why not all of it. Empty if it was kept to 1e-6."""
+    pictures: str
+    """What became of the scan's pictures under edited colours. Empty if none shows one."""
 
     @classmethod
     def of(cls, message: editing_pb2.ExportSummary) -> Exported:
         return cls(message.size_bytes, message.sha256, message.vertices, message.triangles,
                    message.cycles, message.converged, message.distance, list(message.left_out),
-                   message.volume or None, message.lost_volume)
+                   message.volume or None, message.lost_volume, message.pictures)

@@ -11,9 +11,9 @@ namespace {
 using testing::HasSubstr;
 
 /// `burnish filter` on a square with a picture, whose colours are evened out.
-class FilterPictures : public FilterCommand {
+class FilterTextures : public FilterCommand {
  protected:
-  FilterPictures() {
+  FilterTextures() {
     const TexturedGrid grid{.begin = 0.05, .end = 0.95};
     folder_.write("scan.obj", grid.obj());
     folder_.write("skin.mtl", kSkinMtl);
@@ -40,7 +40,7 @@ class FilterPictures : public FilterCommand {
   }));
 };
 
-TEST_F(FilterPictures, EditedColoursAreInThePictureBesideTheMeshAndInAnArchive) {
+TEST_F(FilterTextures, EditedColoursAreInThePictureBesideTheMeshAndInAnArchive) {
   const auto told = evened("scan.obj", "out.zip");
   EXPECT_EQ(told["pictures"]["changed"], 1);
   EXPECT_GT(told["pictures"]["texels"], 1000);
@@ -58,7 +58,7 @@ TEST_F(FilterPictures, EditedColoursAreInThePictureBesideTheMeshAndInAnArchive) 
   EXPECT_NE(content("third/skin.png"), content("other/skin.png"));
 }
 
-TEST_F(FilterPictures, TheScansOwnPictureIsReplacedByForceAlone) {
+TEST_F(FilterTextures, TheScansOwnPictureIsReplacedByForceAlone) {
   const auto told = evened("scan.obj", "out.obj");
   EXPECT_THAT(told["left_out"].dump(), HasSubstr("edited colours"));
   EXPECT_EQ(content("skin.png"), skin_);
@@ -66,7 +66,7 @@ TEST_F(FilterPictures, TheScansOwnPictureIsReplacedByForceAlone) {
   EXPECT_NE(content("skin.png"), skin_);
 }
 
-TEST_F(FilterPictures, APictureInsideAGlbChangesInIt) {
+TEST_F(FilterTextures, APictureInsideAGlbChangesInIt) {
   const auto told = evened("scan.glb", "out.glb");
   EXPECT_EQ(told["pictures"]["changed"], 1);
   EXPECT_NE(content("out.glb"), content("scan.glb"));
