@@ -1,9 +1,8 @@
 // The part of SessionManager that exports an edited mesh as a file.
 
-#include <algorithm>
-
 #include <spdlog/spdlog.h>
 
+#include "common/base/loop_progress.h"
 #include "common/mesh/mesh_io.h"
 #include "common/mesh/rewrite/left_out.h"
 #include "common/mesh/rewrite/write_plan.h"
@@ -30,28 +29,41 @@ static Result<MeshFormat> format_to_send(MeshStore& store, const ScanInfo& scan,
   return wish.format;
 }
 
-/// Writes the surface by the scan's original. Returns the names of what the file leaves out. Edits
+/// Promises a picture's memory while it is written, and hears a cancel between its rows.
+static PictureBudget budget_of_pictures(Quota& memory, LoopProgress& rows, Quota::Share& share) {
+  return [&](uint64_t bytes) -> Status {
+    if (!rows.goes_on(0)) return cancelled("the export was cancelled");
+    if (bytes == 0) return Status::ok();
+    share = {};
+    ASSIGN_OR_RETURN(share, memory.take(kServer, bytes));
+    return Status::ok();
+  };
+}
+
+/// Writes the surface by the scan's original. Says in the summary what the file leaves out. Edits
 /// must leave a server whose original is damaged: then writes what the prepared mesh knows.
-static Result<std::vector<std::string>> write_surface(MeshStore& store, const std::string& scan_id,
-                                                      const MovedMesh& moved, bool has_new_colours,
-                                                      MeshFormat format,
-                                                      const std::filesystem::path& path,
-                                                      const Progress& progress) {
+static Status write_surface(MeshStore& store, const std::string& scan_id, const MovedMesh& moved,
+                            MeshFormat format, const std::filesystem::path& path,
+                            const Progress& progress, ExportSummary& summary) {
   const auto original = store.find_original(scan_id, progress);
   if (original.status().code() == StatusCode::kDataLoss && is_written_for_any_scan(format)) {
     spdlog::warn("an export without the original: {}", original.status().message());
     RETURN_IF_ERROR(write_mesh(moved.after, path));
-    return std::vector<std::string>{
+    summary.left_out = {
         "all but positions, triangles and colours, because the original is damaged"};
+    return Status::ok();
   }
   RETURN_IF_ERROR(original.status());
-  ASSIGN_OR_RETURN(auto left_out, attributes_left_out(*original, format, moved.after));
-  if (has_new_colours) {
-    ASSIGN_OR_RETURN(const bool keeps, keeps_changed_colours(*original, format));
-    if (!keeps) left_out.emplace_back("edited colours");
-  }
-  RETURN_IF_ERROR(write_moved_mesh(*original, moved, path));
-  return left_out;
+  ASSIGN_OR_RETURN(summary.left_out, attributes_left_out(*original, format, moved.after));
+  LoopProgress rows(progress, "writing", 0, 0);
+  Quota::Share share;
+  PictureWork pictures{budget_of_pictures(store.memory(), rows, share), {}};
+  RETURN_IF_ERROR(write_moved_mesh(*original, moved, path, &pictures));
+  summary.pictures = text_of(pictures.report);
+  if (!moved.colours().is_there()) return Status::ok();
+  ASSIGN_OR_RETURN(const auto names, edited_colours_left_out(*original, format, pictures.report));
+  summary.left_out.insert(summary.left_out.end(), names.begin(), names.end());
+  return Status::ok();
 }
 
 // Others may submit edits between two cycles, because a solve may last for seconds. These do not
@@ -95,10 +107,9 @@ Result<ExportSummary> SessionManager::solve_to_file(Held& held, const ExportWish
 
   if (!report(progress, "writing", 0)) return cancelled("the export was cancelled");
   ExportSummary summary;
-  const bool has_new_colours = !std::ranges::equal(mesh.colours, shared->prepared->colours);
-  const MovedMesh moved{shared->prepared->vertices, mesh, controls.cap};
-  ASSIGN_OR_RETURN(summary.left_out, write_surface(store_, held.entry->record.scan_id, moved,
-                                                   has_new_colours, wish.format, path, progress));
+  const MovedMesh moved{shared->prepared->vertices, mesh, controls.cap, shared->prepared->colours};
+  RETURN_IF_ERROR(write_surface(store_, held.entry->record.scan_id, moved, wish.format, path,
+                                progress, summary));
   if (wish.deviation)
     summary.deviation = deviation_of(shared->prepared->vertices, mesh.vertices, mesh.triangles);
   if (volume) {
