@@ -6,6 +6,7 @@
 #include "server/journal/sqlite_journal.h"
 #include "server/manager/session_manager.h"
 #include "tests/common/archive/packing.h"
+#include "tests/common/mesh/rewrite/textured_grid.h"
 #include "tests/server/manager/test_library.h"
 
 namespace burnish {
@@ -113,6 +114,35 @@ TEST_F(SessionExport, EditsLeaveAServerWhoseOriginalIsDamaged) {
   ASSERT_TRUE(file.is_ok()) << file.status().message();
   EXPECT_EQ(file.value()->summary().triangles, 1280u);
   EXPECT_THAT(file.value()->summary().left_out, ElementsAre(HasSubstr("damaged")));
+}
+
+/// A square of some quads whose picture has two halves, as an archive.
+std::string textured_archive() {
+  const Picture halves = drawn(64, 64, [](uint32_t x, uint32_t) {
+    return x < 32 ? Rgba8{60, 60, 60, 255} : Rgba8{190, 190, 190, 255};
+  });
+  return as_string(packed({{"scan.obj", TexturedGrid{.begin = 0.05, .end = 0.95}.obj()},
+                           {"skin.mtl", kSkinMtl},
+                           {"skin.png", png_of(halves)}}));
+}
+
+TEST_F(SessionExport, EditedColoursAreInThePicturesOfAnArchive) {
+  const std::string archive = textured_archive();
+  ASSERT_TRUE(library_.import(archive, "skin", {}, 5, MeshFormat::kZip).is_ok());
+  ASSERT_TRUE(manager_->open({"skin", "three", {5, 0}}, {}, {}).is_ok());
+  const ExportWish wish{MeshFormat::kZip, true};
+  const auto before = manager_->export_mesh("three", wish, {});
+  ASSERT_TRUE(before.is_ok()) << before.status().message();
+  EXPECT_EQ(before.value()->read(0).value(), archive);
+  EXPECT_EQ(before.value()->summary().pictures, "");
+  const std::vector<Edit> edits = {{"b", SetColour{{5, 0}}}};
+  ASSERT_TRUE(manager_->apply("three", {}, edits, {}).is_ok());
+  const auto after = manager_->export_mesh("three", wish, {});
+  ASSERT_TRUE(after.is_ok()) << after.status().message();
+  EXPECT_THAT(after.value()->summary().pictures, HasSubstr("1 of 1 pictures changed"));
+  EXPECT_THAT(after.value()->summary().left_out, IsEmpty());
+  const auto alone = manager_->export_mesh("three", {MeshFormat::kObj, true}, {});
+  EXPECT_THAT(alone.value()->summary().left_out, testing::Contains("edited colours"));
 }
 
 TEST_F(SessionExport, AnyScanIsExportedAsAnArchive) {
