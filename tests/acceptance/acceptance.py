@@ -20,6 +20,7 @@ from server_process import ServerProcess
 import cases
 import checks
 import fronts
+import pictures
 
 KINDS = ("tablet", "coloured", "icosphere", "cylinder", "sheet", "doubled", "flaps", "blob", "sheets", "fan",
          "soup", "part", "coin", "wall")
@@ -183,6 +184,16 @@ def try_scan(file, tried, table, with_page):
                 table.add(file.stem, case.name, "FAILED", str(wrong) or traceback.format_exc())
 
 
+def try_pictures(vertices, table):
+    process = ServerProcess("--log-level", "warn")
+    try:
+        table.add("textured", "colours in pictures", "right", pictures.check_scan(process.socket, vertices))
+    except (AssertionError, fronts.Refused, burnish.Error) as wrong:
+        table.add("textured", "colours in pictures", "FAILED", str(wrong) or traceback.format_exc())
+    finally:
+        process.close()
+
+
 def main(words=None):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--short", action="store_true", help="few kinds, few cases")
@@ -202,6 +213,8 @@ def main(words=None):
                                          3000 if given.short else 30_000, pathlib.Path(folder))
         for file in files:
             try_scan(file, tried, table, not given.no_page)
+        if not given.scans and not given.only:
+            try_pictures(3000 if given.short else 30_000, table)
     print(table.markdown())
     if given.table:
         given.table.write_text(table.markdown(), encoding="utf-8")

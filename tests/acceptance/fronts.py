@@ -212,7 +212,7 @@ def _script_lines(settings):
     if _bands(settings):
         lines.append("bands " + " ".join(_bands(settings)))
     if "--colour-beta" in given:
-        lines.append(f"colours {given['--colour-beta']}")
+        lines.append(f"colours {given['--colour-beta']} {given.get('--colour-alpha', '')}".rstrip())
     for name, value in settings:
         if name == "--palette":
             lines.append("palette " + value.replace("\n", " ; "))

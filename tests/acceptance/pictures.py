@@ -1,0 +1,137 @@
+"""A textured scan: edited colours go into its pictures, alike by every front."""
+
+import pathlib
+import struct
+import tempfile
+import zipfile
+import zlib
+
+import burnish
+import numpy as np
+
+import fronts
+
+SIDE = 256  # texels
+GUTTER = 4  # texels that the change goes on beyond the triangles
+SETTINGS = [("--colour-beta", "0"), ("--colour-alpha", "5")]
+
+
+def encoded(texels):
+    """Returns a picture (rows, columns, 3 bytes) as a PNG file."""
+    rows, columns, _ = texels.shape
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    lines = b"".join(b"\0" + row.tobytes() for row in texels)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", columns, rows, 8, 2, 0, 0, 0))
+            + chunk(b"tEXt", b"Title\0skin") + chunk(b"IDAT", zlib.compress(lines)) + chunk(b"IEND", b""))
+
+
+def decoded(file):
+    """Returns the texels of a PNG file of 8 bits a channel and three channels."""
+    at, data, size = 8, b"", None
+    while at < len(file):
+        length, kind = struct.unpack(">I4s", file[at:at + 8])
+        body = file[at + 8:at + 8 + length]
+        size = struct.unpack(">II", body[:8]) if kind == b"IHDR" else size
+        data += body if kind == b"IDAT" else b""
+        at += 12 + length
+    columns, rows = size
+    lines = np.frombuffer(zlib.decompress(data), np.uint8).reshape(rows, 3 * columns + 1)
+    texels = np.zeros((rows, columns + 1, 3), np.int64)  # a column of zeros before the first one
+    above = np.zeros((columns + 1, 3), np.int64)
+    for y, line in enumerate(lines):
+        texels[y] = above = _unfiltered(int(line[0]), line[1:].reshape(columns, 3).astype(int), above)
+    return texels[:, 1:]
+
+
+def _unfiltered(kind, line, above):
+    """Undoes a row's filter. Source: the PNG specification, 9.2."""
+    row = np.zeros_like(above)
+    if kind in (0, 2):
+        row[1:] = (line + (above[1:] if kind == 2 else 0)) % 256
+        return row
+    for x, value in enumerate(line, 1):
+        left, up, corner = row[x - 1], above[x], above[x - 1]
+        guess = left if kind == 1 else (left + up) // 2 if kind == 3 else _paeth(left, up, corner)
+        row[x] = (value + guess) % 256
+    return row
+
+
+def _paeth(left, up, corner):
+    ways = np.abs(np.stack([up - corner, left - corner, left + up - 2 * corner]))
+    return np.where((ways[0] <= ways[1]) & (ways[0] <= ways[2]), left,
+                    np.where(ways[1] <= ways[2], up, corner))
+
+
+def make_scan(folder, vertices):
+    """Writes an OBJ, its material and a noisy picture with a stain. Returns the OBJ's file."""
+    plain = folder / "plain.ply"
+    fronts.run("generate", "tablet", plain, "--vertices", vertices)
+    mesh = burnish.load_ply(plain)
+    low, high = mesh.vertices.min(0), mesh.vertices.max(0)
+    across, down = np.argsort(low - high)[:2]
+    places = (mesh.vertices - low) / (high - low)
+    coordinates = 0.1 + 0.8 * places[:, [across, down]]
+    lines = ["mtllib skin.mtl", "usemtl skin"]
+    lines += ["v " + " ".join(map(repr, place)) for place in mesh.vertices.tolist()]
+    lines += [f"vt {u!r} {v!r}" for u, v in coordinates.tolist()]
+    lines += ["f " + " ".join(f"{i + 1}/{i + 1}" for i in face) for face in mesh.faces.tolist()]
+    y, x = np.mgrid[:SIDE, :SIDE] / SIDE
+    stain = 60 * np.exp(-((x - 0.4) ** 2 + (y - 0.5) ** 2) / 0.02)
+    noise = np.random.default_rng(1).integers(-8, 9, (SIDE, SIDE, 3))
+    texels = (150 - stain[..., None] + noise).astype(np.uint8)
+    scan = folder / "scan.obj"
+    scan.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    (folder / "skin.mtl").write_text("newmtl skin\nmap_Kd skin.png\n", encoding="utf-8")
+    (folder / "skin.png").write_bytes(encoded(texels))
+    return scan
+
+
+def check_picture(before, after):
+    """The stain is fainter, the grain stays, and nothing far from the surface changes."""
+    before, after = decoded(before), decoded(after)
+    edge = int(0.1 * SIDE) - GUTTER - 1
+    far = np.ones((SIDE, SIDE), bool)
+    far[edge:-edge, edge:-edge] = False
+    assert np.array_equal(before[far], after[far]), "texels beyond the surface changed"
+    inner = slice(int(0.2 * SIDE), int(0.8 * SIDE))
+    blocks = (16, inner.stop - inner.start)
+    def coarse(texels):
+        part = texels[inner, inner].astype(float)[:blocks[1] // 16 * 16, :blocks[1] // 16 * 16]
+        return part.reshape(blocks[1] // 16, 16, blocks[1] // 16, 16, 3).mean((1, 3))
+    assert coarse(after).std() < 0.8 * coarse(before).std(), "the stain is as it was"
+    grain = [np.diff(texels[inner, inner], axis=1).std() for texels in (before, after)]
+    assert 0.8 < grain[1] / grain[0] < 1.25, f"the grain went from {grain[0]:.1f} to {grain[1]:.1f}"
+
+
+def check_scan(socket, vertices):
+    """Returns how many texels changed. Raises AssertionError for what is not true."""
+    with tempfile.TemporaryDirectory(prefix="burnish-") as name:
+        folder = pathlib.Path(name)
+        scan = make_scan(folder, vertices)
+        before = (folder / "skin.png").read_bytes()
+        same, packed, spread = folder / "same.zip", folder / "out.zip", folder / "out"
+        spread.mkdir()
+        words = [word for setting in SETTINGS for word in setting]
+        fronts.run("filter", scan, same, "--beta", 1)
+        assert _entry(same, "skin.png") == before, "β = 1 changed the picture"
+        told = fronts.run("filter", scan, packed, "--exact", *words)
+        assert "1 of 1 pictures changed" in told, told
+        after = _entry(packed, "skin.png")
+        check_picture(before, after)
+        for entry in ("scan.obj", "skin.mtl"):
+            assert _entry(packed, entry) == (folder / entry).read_bytes(), f"{entry} changed"
+        fronts.run("filter", scan, spread / "scan.obj", "--exact", *words)
+        assert (spread / "skin.png").read_bytes() == after, "files beside the mesh differ"
+        assert (folder / "skin.png").read_bytes() == before, "the scan's own picture changed"
+        server = fronts.Server(socket, same)
+        for way in (server.by_commands, server.by_script):
+            exported = folder / f"{way.__name__}.zip"
+            way(SETTINGS, exported)
+            assert _entry(exported, "skin.png") == after, f"{way.__name__} differs from the filter"
+        return told.strip().splitlines()[-1].split(", ")[-1]
+
+
+def _entry(archive, name):
+    with zipfile.ZipFile(archive) as opened:
+        return opened.read(name)
