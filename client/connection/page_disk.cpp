@@ -141,7 +141,7 @@ void PageDisk::read_index() {
   if (!read_all(index_, bytes, 0)) return;
   for (const IndexRecord& record : records) {
     if (!is_sound(record, pages_end_)) return;
-    places_[{static_cast<PageItem::Kind>(record.kind), record.number}] = {record.offset,
+    places_[{record.number, static_cast<PageItem::Kind>(record.kind)}] = {record.offset,
                                                                           record.bytes};
     index_end_ += sizeof record;
   }
