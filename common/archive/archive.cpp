@@ -138,10 +138,10 @@ Status Archive::in_entry(size_t entry, const Status& status) const {
   return status.with_context(name_ + ": entry " + shown_entry(entries_[entry].name));
 }
 
-Result<std::vector<uint8_t>> Archive::read(size_t entry) const {
+Result<std::vector<uint8_t>> Archive::read(size_t entry, const FileBudget& budget) const {
   std::vector<uint8_t> content;
   try {
-    RETURN_IF_ERROR(in_entry(entry, unpack(entry, content)));
+    RETURN_IF_ERROR(in_entry(entry, unpack(entry, budget, content)));
   } catch (const std::bad_alloc&) {
     return in_entry(entry,
                     resource_exhausted("not enough memory for " +
@@ -152,7 +152,8 @@ Result<std::vector<uint8_t>> Archive::read(size_t entry) const {
 
 /// Grows with the bytes that come, because the announced size may be a lie. libzip compares the sum
 /// when it meets the end, so one byte more than announced is asked for.
-Status Archive::unpack(size_t entry, std::vector<uint8_t>& content) const {
+Status Archive::unpack(size_t entry, const FileBudget& budget,
+                       std::vector<uint8_t>& content) const {
   constexpr uint64_t kPieceBytes = uint64_t{1} << 20;
   zip_t* zip = zip_->archive.get();
   zip_stat_t found;
@@ -164,6 +165,7 @@ Status Archive::unpack(size_t entry, std::vector<uint8_t>& content) const {
   if (!file) return zip_status(zip_get_error(zip));
   const uint64_t size = entries_[entry].size_bytes;
   for (uint64_t have = 0;;) {
+    RETURN_IF_ERROR(hear(budget));
     content.resize(have + std::min(kPieceBytes, size - have + 1));
     const zip_int64_t got = zip_fread(file.get(), content.data() + have, content.size() - have);
     if (got < 0) return zip_status(zip_file_get_error(file.get()));

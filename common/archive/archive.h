@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "common/base/file_budget.h"
 #include "common/base/status.h"
 
 namespace burnish {
@@ -42,8 +43,8 @@ class Archive {
   std::optional<size_t> find(std::string_view name) const;
 
   /// Unpacks an entry and checks its sum. Needs: a file of entries(). Fails: invalid_argument
-  /// (damaged, a method other than stored and deflated); resource_exhausted.
-  Result<std::vector<uint8_t>> read(size_t entry) const;
+  /// (damaged, a method other than stored and deflated); resource_exhausted; as `budget` does.
+  Result<std::vector<uint8_t>> read(size_t entry, const FileBudget& budget = {}) const;
 
  private:
   struct Zip;  // libzip's objects
@@ -51,7 +52,7 @@ class Archive {
   Archive();
   Status list_entries(std::span<const uint8_t> bytes);
   Status in_entry(size_t entry, const Status& status) const;
-  Status unpack(size_t entry, std::vector<uint8_t>& content) const;
+  Status unpack(size_t entry, const FileBudget& budget, std::vector<uint8_t>& content) const;
 
   std::unique_ptr<Zip> zip_;
   std::string name_;

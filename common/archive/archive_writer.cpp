@@ -35,8 +35,13 @@ Status add_file(const ZipHandle& archive, const FileToPack& file) {
   return Status::ok();
 }
 
-/// Writes the archive, and ends it.
-Status close_zip(ZipHandle archive) {
+/// Writes the archive, and ends it. libzip asks whether to go on after each piece that it packs.
+Status close_zip(ZipHandle archive, const FileBudget& budget) {
+  const auto is_cancelled = [](zip_t*, void* asked) {
+    return hear(*static_cast<const FileBudget*>(asked)).is_ok() ? 0 : 1;
+  };
+  zip_register_cancel_callback_with_state(archive.get(), is_cancelled, nullptr,
+                                          const_cast<FileBudget*>(&budget));
   if (zip_close(archive.get()) != 0) return failure_of(archive);
   (void)archive.release();  // closed
   return Status::ok();
@@ -54,12 +59,13 @@ bool is_compressed_by_name(std::string_view name) {
   return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
 }
 
-Result<std::vector<uint8_t>> pack_archive(std::span<const FileToPack> files) {
+Result<std::vector<uint8_t>> pack_archive(std::span<const FileToPack> files,
+                                          const FileBudget& budget) {
   RewrittenBytes bytes({});
   ASSIGN_OR_RETURN(const ZipSource source, bytes.source());
   ASSIGN_OR_RETURN(ZipHandle archive, open_zip(source, ZIP_CREATE | ZIP_TRUNCATE));
   for (const FileToPack& file : files) RETURN_IF_ERROR(add_file(archive, file));
-  RETURN_IF_ERROR(close_zip(std::move(archive)));
+  RETURN_IF_ERROR(close_zip(std::move(archive), budget));
   return bytes.take();
 }
 
@@ -78,12 +84,13 @@ static Status replace(const ZipHandle& zip, const ChangedEntry& changed) {
 }
 
 Result<std::vector<uint8_t>> replace_entries(std::span<const uint8_t> archive,
-                                             std::span<const ChangedEntry> changed) {
+                                             std::span<const ChangedEntry> changed,
+                                             const FileBudget& budget) {
   RewrittenBytes bytes(archive);
   ASSIGN_OR_RETURN(const ZipSource source, bytes.source());
   ASSIGN_OR_RETURN(ZipHandle zip, open_zip(source, 0));
   for (const ChangedEntry& each : changed) RETURN_IF_ERROR(replace(zip, each));
-  RETURN_IF_ERROR(close_zip(std::move(zip)));
+  RETURN_IF_ERROR(close_zip(std::move(zip), budget));
   return bytes.take();
 }
 

@@ -5,6 +5,7 @@ namespace burnish {
 Status zip_status(zip_error_t* error) {
   const std::string text = zip_error_strerror(error);
   if (zip_error_code_zip(error) == ZIP_ER_MEMORY) return resource_exhausted(text);
+  if (zip_error_code_zip(error) == ZIP_ER_CANCELLED) return cancelled("packing was cancelled");
   return invalid_argument("the archive is damaged, or it is not a ZIP archive: " + text);
 }
 

@@ -16,13 +16,14 @@ static constexpr std::array<uint8_t, 256> kValues = [] {
   return values;
 }();
 
-std::optional<std::vector<uint8_t>> from_base64(std::string_view text) {
+std::optional<std::vector<uint8_t>> from_base64(std::string_view text, FileSteps steps) {
   for (int padding = 0; padding < 2 && text.ends_with('='); ++padding) text.remove_suffix(1);
   if (text.size() % 4 == 1) return std::nullopt;
   std::vector<uint8_t> bytes;
   bytes.reserve(text.size() / 4 * 3 + 2);
   uint32_t bits = 0;
   for (size_t i = 0; i < text.size(); ++i) {
+    steps.take();
     const uint8_t value = kValues[static_cast<uint8_t>(text[i])];
     if (value == kNotADigit) return std::nullopt;
     bits = bits << 6 | value;

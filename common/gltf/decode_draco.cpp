@@ -93,6 +93,8 @@ Status decode_draco(UnpackedViews& views, std::span<const uint8_t> bytes, const 
     return decode_checked(views, bytes, place, mesh);
   } catch (const std::bad_alloc&) {
     return resource_exhausted(place + ": not enough memory for its Draco data");
+  } catch (const WorkCancelled&) {
+    throw;
   } catch (const std::exception&) {
     return invalid_argument(place + ": its Draco data are damaged");
   }

@@ -6,7 +6,7 @@
 
 #include "common/base/limits.h"
 #include "common/base/text.h"
-#include "common/gltf/base64.h"
+#include "common/gltf/data_uri.h"
 
 namespace burnish {
 
@@ -59,22 +59,17 @@ std::string unescaped_uri(std::string_view uri) {
   return text;
 }
 
-static Status open_data_uri(std::string_view uri, const std::string& place, GltfBuffer& buffer) {
-  constexpr std::string_view kMark = ";base64,";
-  const size_t mark = uri.find(kMark);
-  if (mark == std::string_view::npos)
-    return invalid_argument(place + ": its data URI is not base64");
-  auto decoded = from_base64(uri.substr(mark + kMark.size()));
-  if (!decoded) return invalid_argument(place + ": its base64 is damaged");
+static Status open_data_uri(std::string_view uri, const std::string& place, const FileSteps& steps,
+                            GltfBuffer& buffer) {
+  ASSIGN_OR_RETURN(buffer.decoded, read_data_uri(uri, place, steps));
   buffer.home = GltfBuffer::Home::kText;
-  buffer.decoded = std::move(*decoded);
   buffer.bytes = buffer.decoded;
   return Status::ok();
 }
 
 static Status open_uri(const std::string& uri, const GltfFilesBeside& beside,
-                       const std::string& place, GltfBuffer& buffer) {
-  if (uri.starts_with("data:")) return open_data_uri(uri, place, buffer);
+                       const std::string& place, const FileSteps& steps, GltfBuffer& buffer) {
+  if (is_data_uri(uri)) return open_data_uri(uri, place, steps, buffer);
   if (!beside)
     return invalid_argument(place + " is another file, '" + shortened(uri, kNameBytesMax) +
                             "'; pack both as a .zip archive, or save as .glb");
@@ -85,15 +80,15 @@ static Status open_uri(const std::string& uri, const GltfFilesBeside& beside,
 }
 
 /// Opens a buffer and adds it. `files` are the paths of those before it.
-static Status open_buffer(uint64_t index, const GltfFilesBeside& beside, GltfDocument& document,
-                          std::set<std::string>& files) {
+static Status open_buffer(uint64_t index, const GltfFilesBeside& beside, const FileSteps& steps,
+                          GltfDocument& document, std::set<std::string>& files) {
   const std::string place = place_text("buffer", index);
   ASSIGN_OR_RETURN(const GltfJson* json, find_element(document.json, "buffers", index, place));
   ASSIGN_OR_RETURN(const uint64_t length, read_whole(*json, "byteLength", place));
   GltfBuffer& buffer = document.buffers.emplace_back();
   const GltfJson* uri = find_member(*json, "uri");
   if (uri != nullptr && uri->is_string()) {
-    RETURN_IF_ERROR(open_uri(uri->get_ref<const std::string&>(), beside, place, buffer));
+    RETURN_IF_ERROR(open_uri(uri->get_ref<const std::string&>(), beside, place, steps, buffer));
   } else if (index == 0 && document.parts.has_bin) {
     buffer.home = GltfBuffer::Home::kChunk;
     buffer.bytes = document.parts.bin;
@@ -135,7 +130,8 @@ const GltfJson* find_meshopt(const GltfJson& view) {
   return nullptr;
 }
 
-Result<GltfDocument> open_gltf(std::span<const uint8_t> bytes, const GltfFilesBeside& beside) {
+Result<GltfDocument> open_gltf(std::span<const uint8_t> bytes, const GltfFilesBeside& beside,
+                               const FileSteps& steps) {
   GltfDocument document;
   document.is_binary = is_glb(bytes);
   document.file_bytes = bytes.size();
@@ -145,12 +141,13 @@ Result<GltfDocument> open_gltf(std::span<const uint8_t> bytes, const GltfFilesBe
     text = document.parts.json;
   }
   document.bytes_per_file_byte = bytes_per_byte_of(text);
-  ASSIGN_OR_RETURN(document.json, parse_gltf_json(text));
+  ASSIGN_OR_RETURN(document.json, parse_gltf_json(text, steps));
   RETURN_IF_ERROR(check_asset(document.json));
   const size_t buffers = count_elements(document.json, "buffers");
   document.buffers.reserve(buffers);
   std::set<std::string> files;
-  for (size_t i = 0; i < buffers; ++i) RETURN_IF_ERROR(open_buffer(i, beside, document, files));
+  for (size_t i = 0; i < buffers; ++i)
+    RETURN_IF_ERROR(open_buffer(i, beside, steps, document, files));
   return document;
 }
 

@@ -46,7 +46,8 @@ struct GltfDocument {
 /// Opens a .glb or a .gltf file. Fails: invalid_argument for a damaged file, another version, an
 /// extension that is required and unknown, a file beside it without `beside`; as `beside` does.
 Result<GltfDocument> open_gltf(std::span<const uint8_t> bytes,
-                               const GltfFilesBeside& beside = nullptr);
+                               const GltfFilesBeside& beside = nullptr,
+                               const FileSteps& steps = {});
 
 /// Returns how many bytes reading may make of each byte of a file: kReadingBytesPerFileByte, or
 /// kGltfUnpackedBytesPerPackedByte if its JSON names Draco or meshopt.

@@ -1,6 +1,8 @@
 #include "common/gltf/json_access.h"
 
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <vector>
 
 #include "common/base/limits.h"
@@ -60,12 +62,38 @@ class GltfJsonLimits final : public nlohmann::json_sax<GltfJson> {
   std::string complaint_;
 };
 
+/// Walks through a text, one step a byte: one string may be the whole file.
+class HeardText {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  HeardText(const char* at, FileSteps& steps) : at_(at), steps_(&steps) {}
+
+  reference operator*() const { return *at_; }
+  HeardText& operator++() {
+    steps_->take();
+    ++at_;
+    return *this;
+  }
+  bool operator==(const HeardText& other) const { return at_ == other.at_; }
+
+ private:
+  const char* at_;
+  FileSteps* steps_;
+};
+
 }  // namespace
 
-Result<GltfJson> parse_gltf_json(std::string_view text) {
+Result<GltfJson> parse_gltf_json(std::string_view text, const FileSteps& steps) {
+  FileSteps bytes = steps;
+  const HeardText begin(text.data(), bytes), end(text.data() + text.size(), bytes);
   GltfJsonLimits limits;
-  if (!GltfJson::sax_parse(text, &limits)) return invalid_argument(limits.complaint());
-  GltfJson json = GltfJson::parse(text, nullptr, false);
+  if (!GltfJson::sax_parse(begin, end, &limits)) return invalid_argument(limits.complaint());
+  GltfJson json = GltfJson::parse(begin, end, nullptr, false);
   if (!json.is_object()) return invalid_argument("the JSON is not an object");
   return json;
 }

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "common/base/file_budget.h"
 #include "common/base/status.h"
 
 namespace burnish {
@@ -16,8 +17,8 @@ using GltfJson = nlohmann::ordered_json;
 
 /// Parses the JSON of a glTF file. Fails: invalid_argument if it is not an object, nests deeper
 /// than kGltfDepthMax, has more than kGltfValuesMax values, or has an object of more than
-/// kGltfMembersMax.
-Result<GltfJson> parse_gltf_json(std::string_view text);
+/// kGltfMembersMax. `steps` hears of each byte.
+Result<GltfJson> parse_gltf_json(std::string_view text, const FileSteps& steps = {});
 
 /// Returns a member, or nullptr if `object` is not an object or does not have it.
 const GltfJson* find_member(const GltfJson& object, const char* name);

@@ -46,18 +46,20 @@ Status check_shapes(const GltfPrimitive& primitive, const std::string& place) {
   return Status::ok();
 }
 
-Status check_counts(const GltfPrimitive& primitive, const std::string& place) {
+Status check_counts(const GltfPrimitive& primitive, const std::string& place, FileSteps& steps) {
   const uint64_t vertices = primitive.positions().count;
   for (const auto& [name, accessor] : primitive.attributes)
     if (accessor.count != vertices)
       return invalid_argument(place + " has " + std::to_string(accessor.count) + " elements of " +
                               name + " for " + std::to_string(vertices) + " positions");
   if (!primitive.indices) return Status::ok();
-  for (uint64_t i = 0; i < primitive.indices->count; ++i)
+  for (uint64_t i = 0; i < primitive.indices->count; ++i) {
+    steps.take();
     if (primitive.corner(i) >= vertices)
       return invalid_argument(place + ": index " + std::to_string(i) + " is vertex " +
                               std::to_string(primitive.corner(i)) + ", but there are " +
                               std::to_string(vertices) + ", numbered from 0");
+  }
   return Status::ok();
 }
 
@@ -99,7 +101,7 @@ Result<std::optional<GltfPrimitive>> read_primitive(UnpackedViews& views, uint64
     return invalid_argument(place + ": its Draco data have no POSITION");
   RETURN_IF_ERROR(check_shapes(primitive, place));
   RETURN_IF_ERROR(views.charge(sizeof(uint32_t) * primitive.corner_count()));
-  RETURN_IF_ERROR(check_counts(primitive, place));
+  RETURN_IF_ERROR(check_counts(primitive, place, views.steps()));
   return std::optional(std::move(primitive));
 }
 

@@ -73,6 +73,7 @@ void apply_filter(const Packing& packing, std::vector<uint8_t>& bytes) {
 }  // namespace
 
 Status UnpackedViews::charge(uint64_t bytes) {
+  steps_.take();
   const uint64_t times = document_.bytes_per_file_byte;
   const uint64_t limit = kGltfUnpackedBytesMin + times * document_.file_bytes;
   if (bytes <= limit - charged_bytes_) {

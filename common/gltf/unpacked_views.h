@@ -24,10 +24,14 @@ struct GltfView {
 /// reading makes of the file, so that a small file cannot fill the memory.
 class UnpackedViews {
  public:
-  /// Needs: the document outlives it.
-  explicit UnpackedViews(const GltfDocument& document) : document_(document) {}
+  /// Needs: the document outlives it, and the steps' budget.
+  explicit UnpackedViews(const GltfDocument& document, const FileSteps& steps = {})
+      : document_(document), steps_(steps) {}
 
   const GltfDocument& document() const { return document_; }
+
+  /// Hear of each corner and position that a reader looks at.
+  FileSteps& steps() { return steps_; }
 
   /// Fails: invalid_argument if the view does not exist, leaves its buffer or does not unpack.
   Result<GltfView> view(uint64_t index, const std::string& place);
@@ -41,6 +45,7 @@ class UnpackedViews {
   Result<GltfView> unpack(uint64_t index, const GltfJson& packed, const std::string& place);
 
   const GltfDocument& document_;
+  FileSteps steps_;
   std::map<uint64_t, std::vector<uint8_t>> unpacked_;
   uint64_t charged_bytes_ = 0;
 };

@@ -31,16 +31,17 @@ ScratchArray<uint8_t> find_meetings(const ScratchArray<uint32_t>& least,
 }
 
 ScratchArray<Look> looks_of(const MeshView& mesh, const ScratchArray<uint8_t>& meets,
-                            const ScratchSpace& space) {
+                            const ScratchSpace& space, const LoopPart& part) {
   ScratchArray<Look> looks(space, meets.size());
   std::ranges::fill(looks, Look{});
-  for (const Triangle& t : mesh.triangles) {
-    if (!meets[t[0]] && !meets[t[1]] && !meets[t[2]]) continue;
+  for_each_heard(part, mesh.triangles.size(), [&](size_t i) {
+    const Triangle& t = mesh.triangles[i];
+    if (!meets[t[0]] && !meets[t[1]] && !meets[t[2]]) return;
     const auto normals =
         corner_normals(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]);
     for (int corner = 0; corner < 3; ++corner)
       looks[t[corner]].normal += normals[corner].cast<float>();
-  }
+  });
   for (Look& look : looks) look.normal = look.normal.stableNormalized();
   return looks;
 }
@@ -88,12 +89,16 @@ class Agreement {
 
 }  // namespace
 
-ScratchArray<uint32_t> least_that_agree(const MeshView& mesh, const ScratchSpace& space) {
-  ScratchArray<uint32_t> least = least_at_places(mesh.vertices, space);
+ScratchArray<uint32_t> least_that_agree(const MeshView& mesh, const ScratchSpace& space,
+                                        const LoopPart& part) {
+  ScratchArray<uint32_t> least = least_at_places(mesh.vertices, space, part);
   const ScratchArray<uint8_t> meets = find_meetings(least, space);
   if (meets.empty()) return {};
-  Agreement agreement(looks_of(mesh, meets, space), mesh);
-  for (uint32_t v = 0; v < least.size(); ++v) least[v] = agreement.find(least[v], v);
+  Agreement agreement(looks_of(mesh, meets, space, part), mesh);
+  for_each_heard(part, least.size(), [&](size_t i) {
+    const auto v = static_cast<uint32_t>(i);
+    least[v] = agreement.find(least[v], v);
+  });
   return least;
 }
 

@@ -9,6 +9,7 @@ std::optional<std::string> ArchiveFiles::locate(const std::string& path) const {
   if (archive_.find(path) && !path.ends_with('/')) return path;
   std::optional<std::string> found;
   for (const ArchiveEntry& entry : archive_.entries()) {
+    steps_.take();
     if (entry.is_folder() || !equals_ignoring_case(entry.name, path)) continue;
     if (found) return std::nullopt;
     found = entry.name;
@@ -19,7 +20,7 @@ std::optional<std::string> ArchiveFiles::locate(const std::string& path) const {
 Result<std::vector<uint8_t>> ArchiveFiles::read(const std::string& path) const {
   const auto entry = archive_.find(path);
   if (!entry) return not_found(archive_.name() + ": there is no entry " + shown_entry(path));
-  return archive_.read(*entry);
+  return archive_.read(*entry, budget_);
 }
 
 /// macOS puts notes on each file into archives, under the file's own extension.

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/archive/archive.h"
@@ -15,8 +16,11 @@ namespace burnish {
 /// may name a.PNG what its texts call a.png.
 class ArchiveFiles final : public FilesBeside {
  public:
-  /// Needs: `archive` outlives this.
-  explicit ArchiveFiles(const Archive& archive) : archive_(archive) {}
+  /// Needs: `archive` outlives this. `budget` hears of the work.
+  explicit ArchiveFiles(const Archive& archive, FileBudget budget = {})
+      : archive_(archive), budget_(std::move(budget)) {}
+  ArchiveFiles(const ArchiveFiles&) = delete;
+  ArchiveFiles& operator=(const ArchiveFiles&) = delete;
 
   Result<std::vector<uint8_t>> read(const std::string& path) const override;
 
@@ -24,6 +28,8 @@ class ArchiveFiles final : public FilesBeside {
   std::optional<std::string> locate(const std::string& path) const override;
 
   const Archive& archive_;
+  const FileBudget budget_;
+  mutable FileSteps steps_{budget_};  // names times entries can be many
 };
 
 /// The one mesh of an archive.

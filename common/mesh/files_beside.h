@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "common/base/file_budget.h"
 #include "common/base/status.h"
 
 namespace burnish {
@@ -30,15 +30,11 @@ class FilesBeside {
   virtual std::optional<std::string> locate(const std::string& path) const = 0;
 };
 
-/// Is asked before each picture is decoded, with the bytes that its decoder takes beside the file,
-/// and often while it is decoded, for 0 bytes. One at a time. A failure ends the reading.
-using PictureBudget = std::function<Status(uint64_t bytes)>;
-
 /// The files beside a mesh file, and its own path among them.
 struct MeshSurroundings {
   const FilesBeside* files = nullptr;  ///< null: there are none
   std::string path = {};
-  PictureBudget pictures = {};  ///< null: decoders take what they need
+  FileBudget budget = {};
 };
 
 /// Returns the part of a path before its last '/'; empty if there is none.

@@ -88,7 +88,7 @@ void put_colour(const Rgba8& colour, OutputBuffer& output) {
 
 }  // namespace
 
-Status write_glb(const MeshView& mesh, AtomicFile& file) {
+Status write_glb(const MeshView& mesh, OutputBuffer& output) {
   const GlbPositions positions(mesh);
   GlbSizes sizes{.positions = mesh.vertices.size() * sizeof(Vec3f),
                  .indices = mesh.triangles.size() * sizeof(Triangle)};
@@ -98,7 +98,6 @@ Status write_glb(const MeshView& mesh, AtomicFile& file) {
   if (bytes > UINT32_MAX)
     return invalid_argument("a GLB file of " + std::to_string(bytes) + " bytes: the limit is " +
                             std::to_string(UINT32_MAX));
-  OutputBuffer output(file);
   for (const uint64_t word :
        {uint64_t{kGlbMagic}, uint64_t{2}, bytes, uint64_t{json.size()}, uint64_t{kGlbJsonChunk}})
     output.put_bytes(static_cast<uint32_t>(word));

@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "common/gltf/data_uri.h"
+
 namespace burnish {
 
 GltfFilesBeside GltfFiles::reader() {
@@ -25,7 +27,7 @@ static std::vector<std::string> names_in_list(const GltfJson& json, const char* 
     const GltfJson* uri = find_member(json.at(list)[i], "uri");
     if (uri == nullptr || !uri->is_string()) continue;
     const auto name = uri->get<std::string>();
-    if (!name.starts_with("data:")) names.push_back(unescaped_uri(name));
+    if (!is_data_uri(name)) names.push_back(unescaped_uri(name));
   }
   return names;
 }

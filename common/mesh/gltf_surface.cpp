@@ -75,6 +75,7 @@ class GltfSurfaceReader {
     const bool is_mirrored = surface_.placements[placement].to_scene.linear().determinant() < 0;
     const size_t first = mesh_.triangles.size();
     for_each_triangle(primitive, [&](uint32_t a, uint32_t b, uint32_t c) {
+      views_.steps().take();
       if (is_mirrored) std::swap(b, c);
       mesh_.triangles.push_back({vertices[a], vertices[b], vertices[c]});
     });
@@ -88,6 +89,7 @@ class GltfSurfaceReader {
     constexpr uint64_t kPositionsPerByte = 4;  // of the charge for looking at positions
     uint32_t least = UINT32_MAX, largest = 0;
     for_each_triangle(primitive, [&](uint32_t a, uint32_t b, uint32_t c) {
+      views_.steps().take();
       for (const uint32_t i : {a, b, c}) {
         least = std::min(least, i);
         largest = std::max(largest, i);
@@ -96,8 +98,10 @@ class GltfSurfaceReader {
     });
     if (least > largest) return Status::ok();
     RETURN_IF_ERROR(views_.charge((largest - least) / kPositionsPerByte));
-    for (uint64_t i = least; i <= largest; ++i)
+    for (uint64_t i = least; i <= largest; ++i) {
+      views_.steps().take();
       if (points.vertices[i] == kWantedVertex) RETURN_IF_ERROR(weld(points, primitive, i));
+    }
     return Status::ok();
   }
 
@@ -142,13 +146,14 @@ Result<GltfSurface> read_gltf_surface(UnpackedViews& views) {
 
 Result<TriangleMesh> read_gltf(std::span<const uint8_t> bytes, const std::string& name,
                                const GltfFilesBeside& buffers, const MeshSurroundings& beside) {
-  auto document = open_gltf(bytes, buffers);
+  const FileSteps steps(beside.budget);
+  auto document = open_gltf(bytes, buffers, steps);
   if (!document.is_ok()) return document.status().with_context(name);
-  UnpackedViews views(*document);
+  UnpackedViews views(*document, steps);
   auto surface = read_gltf_surface(views);
   if (!surface.is_ok()) return surface.status().with_context(name);
   RETURN_IF_ERROR(add_texture_colours(surface->mesh, read_gltf_textures(views, *surface, beside),
-                                      beside.pictures, name));
+                                      beside.budget, name));
   return std::move(surface->mesh);
 }
 

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "common/gltf/base64.h"
+#include "common/gltf/data_uri.h"
 #include "common/mesh/gltf_materials.h"
 
 namespace burnish {
@@ -45,14 +45,8 @@ class GltfImage {
   }
 
   Result<std::vector<uint8_t>> read_uri(std::string_view uri) const {
-    constexpr std::string_view kMark = ";base64,";
-    if (!uri.starts_with("data:")) return read_file(unescaped_uri(uri));
-    const size_t mark = uri.find(kMark);
-    if (mark == std::string_view::npos)
-      return invalid_argument(place_ + ": its data URI is not base64");
-    auto decoded = from_base64(uri.substr(mark + kMark.size()));
-    if (!decoded) return invalid_argument(place_ + ": its base64 is damaged");
-    return std::move(*decoded);
+    if (!is_data_uri(uri)) return read_file(unescaped_uri(uri));
+    return read_data_uri(uri, place_, FileSteps(beside_.budget));
   }
 
   Result<std::vector<uint8_t>> read_file(const std::string& name) const {
@@ -130,6 +124,7 @@ class GltfTextureReader {
         surface_.placements[part.placement].to_scene.linear().determinant() < 0;
     const auto corner = [&](uint32_t i) { return first == kNoTexture ? kNoTexture : first + i; };
     for_each_triangle(*part.primitive, [&](uint32_t a, uint32_t b, uint32_t c) {
+      views_.steps().take();
       if (is_mirrored) std::swap(b, c);
       textures_.triangles.push_back({material, {corner(a), corner(b), corner(c)}});
     });
@@ -169,8 +164,10 @@ class GltfTextureReader {
         !views_.charge(read->count * sizeof all[0]).is_ok())
       return {};
     const Coordinates added = {static_cast<uint32_t>(all.size()), read->count};
-    for (uint64_t i = 0; i < read->count; ++i)
+    for (uint64_t i = 0; i < read->count; ++i) {
+      views_.steps().take();
       all.push_back({read->number(i, 0), read->number(i, 1)});
+    }
     return added;
   }
 

@@ -7,6 +7,7 @@
 #include "common/mesh/folder_files.h"
 #include "common/mesh/gltf_files.h"
 #include "common/mesh/gltf_surface.h"
+#include "common/mesh/heard_validate.h"
 #include "common/mesh/mesh_formats.h"
 #include "common/mesh/obj_textures.h"
 #include "common/mesh/ply_texture_reader.h"
@@ -15,7 +16,7 @@
 namespace burnish {
 
 /// Returns nullptr for formats that need an original.
-static Status (*writer_of(MeshFormat format))(const MeshView& mesh, AtomicFile& file) {
+static Status (*writer_of(MeshFormat format))(const MeshView& mesh, OutputBuffer& output) {
   if (format == MeshFormat::kPly) return write_ply;
   if (format == MeshFormat::kObj) return write_obj;
   if (format == MeshFormat::kStl) return write_stl;
@@ -26,21 +27,21 @@ static Status (*writer_of(MeshFormat format))(const MeshView& mesh, AtomicFile& 
 static Result<TriangleMesh> read_textured_obj(std::span<const uint8_t> bytes,
                                               const std::string& name,
                                               const MeshSurroundings& beside) {
-  ASSIGN_OR_RETURN(TriangleMesh mesh, read_obj(bytes, name));
+  ASSIGN_OR_RETURN(TriangleMesh mesh, read_obj(bytes, name, FileSteps(beside.budget)));
   if (mesh.has_colours() || beside.files == nullptr) return mesh;
   const auto textures = read_obj_textures(bytes, beside);
   if (!textures.is_ok()) return textures.status().with_context(name);
-  RETURN_IF_ERROR(add_texture_colours(mesh, *textures, beside.pictures, name));
+  RETURN_IF_ERROR(add_texture_colours(mesh, *textures, beside.budget, name));
   return mesh;
 }
 
 static Result<TriangleMesh> read_textured_ply(std::span<const uint8_t> bytes,
                                               const std::string& name,
                                               const MeshSurroundings& beside) {
-  ASSIGN_OR_RETURN(TriangleMesh mesh, read_ply(bytes, name));
+  ASSIGN_OR_RETURN(TriangleMesh mesh, read_ply(bytes, name, FileSteps(beside.budget)));
   if (mesh.has_colours() || beside.files == nullptr) return mesh;
   const SurfaceTextures textures = read_ply_textures(bytes, mesh.triangles, beside);
-  RETURN_IF_ERROR(add_texture_colours(mesh, textures, beside.pictures, name));
+  RETURN_IF_ERROR(add_texture_colours(mesh, textures, beside.budget, name));
   return mesh;
 }
 
@@ -52,14 +53,14 @@ static Result<TriangleMesh> parse_mesh(std::span<const uint8_t> bytes, MeshForma
     case MeshFormat::kObj:
       return read_textured_obj(bytes, name, beside);
     case MeshFormat::kStl:
-      return read_stl(bytes, name);
+      return read_stl(bytes, name, FileSteps(beside.budget));
     case MeshFormat::kOff:
-      return read_off(bytes, name);
+      return read_off(bytes, name, FileSteps(beside.budget));
     case MeshFormat::kGlb:
     case MeshFormat::kGltf:
       return read_gltf(bytes, name, GltfFiles(beside).reader(), beside);
     case MeshFormat::kZip:
-      return read_zip(bytes, name, beside.pictures);
+      return read_zip(bytes, name, beside.budget);
   }
   return invalid_argument(name + ": unknown mesh format");
 }
@@ -71,6 +72,8 @@ static auto read_checked(std::span<const uint8_t> bytes, const std::string& name
   if (bytes.empty()) return invalid_argument(name + ": the file is empty (0 bytes)");
   try {
     return read();
+  } catch (const WorkCancelled&) {
+    return cancelled(name + ": reading was cancelled");
   } catch (const ScratchFull& full) {
     return resource_exhausted(name + ": " + full.what());
   } catch (const std::bad_alloc&) {
@@ -83,12 +86,13 @@ Result<TriangleMesh> read_mesh(std::span<const uint8_t> bytes, MeshFormat format
                                const std::string& name, const MeshSurroundings& beside) {
   return read_checked(bytes, name, [&]() -> Result<TriangleMesh> {
     ASSIGN_OR_RETURN(TriangleMesh mesh, parse_mesh(bytes, format, name, beside));
-    RETURN_IF_ERROR(validate(mesh).with_context(name));
+    RETURN_IF_ERROR(validate(mesh, FileSteps(beside.budget)).with_context(name));
     return mesh;
   });
 }
 
-using ReadIntoScratch = Status (*)(std::span<const uint8_t>, const std::string&, GrowingMesh&);
+using ReadIntoScratch = Status (*)(std::span<const uint8_t>, const std::string&, const FileSteps&,
+                                   GrowingMesh&);
 
 static ReadIntoScratch scratch_reader_of(MeshFormat format) {
   switch (format) {
@@ -114,18 +118,17 @@ bool is_read_into_scratch(MeshFormat format) {
 
 Result<StoredMesh> read_stored_mesh(std::span<const uint8_t> bytes, MeshFormat format,
                                     const std::string& name, const ScratchSpace& space,
-                                    const PictureBudget& pictures) {
+                                    const FileBudget& budget) {
   return read_checked(bytes, name, [&]() -> Result<StoredMesh> {
     const ReadIntoScratch read = scratch_reader_of(format);
     if (read == nullptr) {
-      ASSIGN_OR_RETURN(const TriangleMesh mesh,
-                       read_mesh(bytes, format, name, {.pictures = pictures}));
+      ASSIGN_OR_RETURN(const TriangleMesh mesh, read_mesh(bytes, format, name, {.budget = budget}));
       return StoredMesh(mesh, space);
     }
     GrowingMesh growing(space);
-    RETURN_IF_ERROR(read(bytes, name, growing));
+    RETURN_IF_ERROR(read(bytes, name, FileSteps(budget), growing));
     StoredMesh mesh = growing.take();
-    RETURN_IF_ERROR(validate(mesh.view()).with_context(name));
+    RETURN_IF_ERROR(validate(mesh.view(), FileSteps(budget)).with_context(name));
     return mesh;
   });
 }
@@ -137,7 +140,8 @@ Result<TriangleMesh> read_mesh(const std::filesystem::path& path) {
   return read_mesh(file.bytes(), format, path.string(), {&files, path.filename().string()});
 }
 
-Status write_mesh(const MeshView& mesh, const std::filesystem::path& path) {
+Status write_mesh(const MeshView& mesh, const std::filesystem::path& path,
+                  const FileBudget& budget) try {
   ASSIGN_OR_RETURN(const MeshFormat format, written_format_of_path(path));
   if (!is_written_for_any_scan(format))
     return invalid_argument("cannot write " + path.string() + ": only a scan from a " +
@@ -145,10 +149,13 @@ Status write_mesh(const MeshView& mesh, const std::filesystem::path& path) {
                             extensions_text([](const MeshFormatFacts& known) {
                               return known.is_written_for_any_scan;
                             }));
-  RETURN_IF_ERROR(validate(mesh).with_context("cannot write " + path.string()));
+  RETURN_IF_ERROR(validate(mesh, FileSteps(budget)).with_context("cannot write " + path.string()));
   ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(path));
-  RETURN_IF_ERROR(writer_of(format)(mesh, file));
+  OutputBuffer output(file, budget);
+  RETURN_IF_ERROR(writer_of(format)(mesh, output));
   return file.commit();
+} catch (const WorkCancelled&) {
+  return cancelled("writing was cancelled");
 }
 
 }  // namespace burnish

@@ -24,13 +24,12 @@ Result<TriangleMesh> read_mesh(std::span<const uint8_t> bytes, MeshFormat format
                                const std::string& name, const MeshSurroundings& beside = {});
 
 /// Reads a mesh from memory into scratch space. glTF and archives are read into memory and copied;
-/// the other formats go there at once. `pictures` is asked for the memory that the file's
-/// pictures take. Fails: likewise; as `pictures` does.
+/// the other formats go there at once. Fails: likewise; as `budget` does.
 Result<StoredMesh> read_stored_mesh(std::span<const uint8_t> bytes, MeshFormat format,
                                     const std::string& name, const ScratchSpace& space,
-                                    const PictureBudget& pictures = {});
+                                    const FileBudget& budget = {});
 
-/// Returns how much memory read_mesh() may take for a file, but for what it asks a PictureBudget.
+/// Returns how much memory read_mesh() may take for a file, but for what it asks a FileBudget.
 /// Fails: as the file cannot be opened.
 Result<uint64_t> reading_bytes_max(const std::filesystem::path& path, MeshFormat format);
 
@@ -40,7 +39,8 @@ bool is_read_into_scratch(MeshFormat format);
 /// Writes by extension (PLY binary little-endian, OBJ, STL binary, GLB) to a temporary file beside
 /// `path`, syncs it, and renames it into place. A failed write leaves the old file.
 /// Fails: invalid_argument (unknown extension, !is_written_for_any_scan()), resource_exhausted
-/// (disk full), ...
-Status write_mesh(const MeshView& mesh, const std::filesystem::path& path);
+/// (disk full), ...; cancelled, as `budget` says.
+Status write_mesh(const MeshView& mesh, const std::filesystem::path& path,
+                  const FileBudget& budget = {});
 
 }  // namespace burnish

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string_view>
 
 #include "common/base/limits.h"
@@ -38,8 +39,8 @@ bool names_a_picture(std::string_view keyword) {
 /// Reads one MTL file by its statements.
 class MtlReader {
  public:
-  MtlReader(std::span<const uint8_t> bytes, const std::string& name)
-      : scanner_(bytes, name, {.hash_comments = true, .backslash_continues = true}) {}
+  MtlReader(std::span<const uint8_t> bytes, const std::string& name, const FileSteps& steps)
+      : scanner_(bytes, name, {.hash_comments = true, .backslash_continues = true}, 0, steps) {}
 
   MaterialFile read() {
     while (scanner_.next_line()) {
@@ -70,9 +71,7 @@ class MtlReader {
       read_option(scanner_.next_token(), drawn);
     const std::string name(without_blanks(scanner_.line_rest()));
     if (name.empty()) return;
-    auto& pictures = file_.pictures;
-    if (std::find(pictures.begin(), pictures.end(), name) == pictures.end())
-      pictures.push_back(name);
+    if (known_pictures_.insert(name).second) file_.pictures.push_back(name);
     if (file_.materials.empty() || !equals_ignoring_case(keyword, "map_Kd")) return;
     Material& material = file_.materials.back();
     material.picture = name;
@@ -104,16 +103,18 @@ class MtlReader {
 
   TextScanner scanner_;
   MaterialFile file_;
+  std::set<std::string> known_pictures_;
 };
 
 }  // namespace
 
-Result<MaterialFile> read_material_file(std::span<const uint8_t> bytes, const std::string& name) {
+Result<MaterialFile> read_material_file(std::span<const uint8_t> bytes, const std::string& name,
+                                        const FileSteps& steps) {
   if (bytes.size() > kMaterialFileBytesMax)
     return invalid_argument(name + ": a material file of " + std::to_string(bytes.size()) +
                             " bytes, the limit is " + std::to_string(kMaterialFileBytesMax));
-  RETURN_IF_ERROR(check_line_lengths(bytes, name));
-  return MtlReader(bytes, name).read();
+  RETURN_IF_ERROR(check_line_lengths(bytes, name, steps));
+  return MtlReader(bytes, name, steps).read();
 }
 
 }  // namespace burnish

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "common/base/file_budget.h"
 #include "common/base/status.h"
 #include "common/base/types.h"
 #include "common/mesh/texture_wrap.h"
@@ -29,8 +30,10 @@ struct MaterialFile {
   std::vector<std::string> pictures;  ///< of all statements, each name once, in the file's order
 };
 
-/// Reads an MTL file; skips statements that it does not know. `name` is for messages.
+/// Reads an MTL file; skips statements that it does not know. `name` is for messages. `steps` hears
+/// of each line and word.
 /// Fails: invalid_argument (more than kMaterialFileBytesMax bytes, a line above kLineBytesMax).
-Result<MaterialFile> read_material_file(std::span<const uint8_t> bytes, const std::string& name);
+Result<MaterialFile> read_material_file(std::span<const uint8_t> bytes, const std::string& name,
+                                        const FileSteps& steps = {});
 
 }  // namespace burnish

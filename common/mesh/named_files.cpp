@@ -32,7 +32,7 @@ Result<NamedFiles> find_named_files(std::span<const uint8_t> bytes, MeshFormat f
     return find_files(names.buffers, beside);
   }
   if (format != MeshFormat::kObj) return NamedFiles();
-  ASSIGN_OR_RETURN(ObjFiles files, find_obj_files(bytes, beside.path, *beside.files));
+  ASSIGN_OR_RETURN(ObjFiles files, find_obj_files(bytes, beside));
   return NamedFiles{std::move(files.found), std::move(files.missing)};
 }
 

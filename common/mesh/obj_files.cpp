@@ -1,6 +1,7 @@
 #include "common/mesh/obj_files.h"
 
 #include <algorithm>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -10,9 +11,21 @@ namespace burnish {
 
 namespace {
 
-void add_once(std::vector<std::string>& names, const std::string& name) {
-  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-}
+/// Names in the order in which they come, each once. A file may have a million.
+class DistinctNames {
+ public:
+  /// Returns whether the name is new.
+  bool add(const std::string& name) {
+    const bool is_new = known_.insert(name).second;
+    if (is_new) names_.push_back(name);
+    return is_new;
+  }
+  std::vector<std::string> take() { return std::move(names_); }
+
+ private:
+  std::set<std::string> known_;
+  std::vector<std::string> names_;
+};
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kBlanks = " \t\r\"";
@@ -23,17 +36,17 @@ std::string_view trimmed(std::string_view text) {
 /// Gathers what an OBJ and its material files name.
 class ObjFileFinder {
  public:
-  ObjFileFinder(const std::string& path, const FilesBeside& beside)
-      : folder_(folder_of(path)), beside_(beside) {}
+  explicit ObjFileFinder(const MeshSurroundings& beside)
+      : folder_(folder_of(beside.path)), beside_(*beside.files), steps_(beside.budget) {}
 
   Status read(std::span<const uint8_t> obj) {
-    TextScanner scanner(obj, "", {.hash_comments = true, .backslash_continues = true});
+    TextScanner scanner(obj, "", {.hash_comments = true, .backslash_continues = true}, 0, steps_);
     while (scanner.next_line())
       if (scanner.next_token() == "mtllib") RETURN_IF_ERROR(take_library(scanner));
     return Status::ok();
   }
 
-  ObjFiles take() { return std::move(files_); }
+  ObjFiles take() { return {found_.take(), missing_.take(), std::move(materials_)}; }
 
  private:
   /// The line names one file, whose name may have blanks, or several.
@@ -44,22 +57,20 @@ class ObjFileFinder {
       if (const auto path = beside_.find(folder_, name)) {
         RETURN_IF_ERROR(read_materials(*path));
       } else {
-        add_once(files_.missing, std::string(name));
+        missing_.add(std::string(name));
       }
     }
     return Status::ok();
   }
 
   Status read_materials(const std::string& path) {
-    if (std::find(files_.found.begin(), files_.found.end(), path) != files_.found.end())
-      return Status::ok();
-    files_.found.push_back(path);
+    if (!found_.add(path)) return Status::ok();
     ASSIGN_OR_RETURN(const auto bytes, beside_.read(path));
-    ASSIGN_OR_RETURN(MaterialFile file, read_material_file(bytes, path));
+    ASSIGN_OR_RETURN(MaterialFile file, read_material_file(bytes, path, steps_));
     for (const std::string& picture : file.pictures) take_picture(folder_of(path), picture);
     for (Material& material : file.materials) {
       material.picture = picture_path(folder_of(path), material.picture);
-      files_.materials.push_back(std::move(material));
+      materials_.push_back(std::move(material));
     }
     return Status::ok();
   }
@@ -67,9 +78,9 @@ class ObjFileFinder {
   void take_picture(const std::string& folder, const std::string& name) {
     const std::string path = picture_path(folder, name);
     if (path.empty()) {
-      add_once(files_.missing, name);
+      missing_.add(name);
     } else {
-      add_once(files_.found, path);
+      found_.add(path);
     }
   }
 
@@ -83,14 +94,15 @@ class ObjFileFinder {
 
   const std::string folder_;
   const FilesBeside& beside_;
-  ObjFiles files_;
+  const FileSteps steps_;
+  DistinctNames found_, missing_;
+  std::vector<Material> materials_;
 };
 
 }  // namespace
 
-Result<ObjFiles> find_obj_files(std::span<const uint8_t> obj, const std::string& path,
-                                const FilesBeside& beside) {
-  ObjFileFinder finder(path, beside);
+Result<ObjFiles> find_obj_files(std::span<const uint8_t> obj, const MeshSurroundings& beside) {
+  ObjFileFinder finder(beside);
   RETURN_IF_ERROR(finder.read(obj));
   return finder.take();
 }

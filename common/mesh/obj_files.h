@@ -17,8 +17,7 @@ struct ObjFiles {
   std::vector<Material> materials;   ///< `picture` is a path, or empty where it is missing
 };
 
-/// Reads the material files of the OBJ at `path`. Fails: as a material file cannot be read.
-Result<ObjFiles> find_obj_files(std::span<const uint8_t> obj, const std::string& path,
-                                const FilesBeside& beside);
+/// Reads the material files of an OBJ. Fails: as a material file cannot be read. Needs: files.
+Result<ObjFiles> find_obj_files(std::span<const uint8_t> obj, const MeshSurroundings& beside);
 
 }  // namespace burnish

@@ -16,8 +16,9 @@ namespace burnish {
 template <typename Mesh>
 class ObjReader {
  public:
-  ObjReader(std::span<const uint8_t> bytes, const std::string& name, Mesh& mesh)
-      : scanner_(bytes, name, {.hash_comments = true, .backslash_continues = true}),
+  ObjReader(std::span<const uint8_t> bytes, const std::string& name, const FileSteps& steps,
+            Mesh& mesh)
+      : scanner_(bytes, name, {.hash_comments = true, .backslash_continues = true}, 0, steps),
         name_(name),
         file_bytes_(bytes.size()),
         mesh_(mesh),
@@ -117,16 +118,18 @@ class ObjReader {
   Place largest_index_place_;
 };
 
-Result<TriangleMesh> read_obj(std::span<const uint8_t> bytes, const std::string& name) {
-  RETURN_IF_ERROR(check_line_lengths(bytes, name));
+Result<TriangleMesh> read_obj(std::span<const uint8_t> bytes, const std::string& name,
+                              const FileSteps& steps) {
+  RETURN_IF_ERROR(check_line_lengths(bytes, name, steps));
   TriangleMesh mesh;
-  RETURN_IF_ERROR(ObjReader(bytes, name, mesh).read());
+  RETURN_IF_ERROR(ObjReader(bytes, name, steps, mesh).read());
   return mesh;
 }
 
-Status read_obj(std::span<const uint8_t> bytes, const std::string& name, GrowingMesh& mesh) {
-  RETURN_IF_ERROR(check_line_lengths(bytes, name));
-  return ObjReader(bytes, name, mesh).read();
+Status read_obj(std::span<const uint8_t> bytes, const std::string& name, const FileSteps& steps,
+                GrowingMesh& mesh) {
+  RETURN_IF_ERROR(check_line_lengths(bytes, name, steps));
+  return ObjReader(bytes, name, steps, mesh).read();
 }
 
 }  // namespace burnish

@@ -41,8 +41,10 @@ Eigen::Affine2d picture_transform(const Material& material) {
 /// Walks through an OBJ file and keeps what each triangle shows.
 class ObjTextureReader {
  public:
-  ObjTextureReader(std::span<const uint8_t> obj, const FilesBeside& files)
-      : scanner_(obj, "", {.hash_comments = true, .backslash_continues = true}), files_(files) {}
+  ObjTextureReader(std::span<const uint8_t> obj, const MeshSurroundings& beside)
+      : scanner_(obj, "", {.hash_comments = true, .backslash_continues = true}, 0,
+                 FileSteps(beside.budget)),
+        files_(*beside.files) {}
 
   SurfaceTextures read(const std::vector<Material>& materials) {
     textures_.refuses_damage = true;
@@ -117,9 +119,9 @@ class ObjTextureReader {
 
 Result<SurfaceTextures> read_obj_textures(std::span<const uint8_t> obj,
                                           const MeshSurroundings& beside) {
-  ASSIGN_OR_RETURN(const ObjFiles files, find_obj_files(obj, beside.path, *beside.files));
+  ASSIGN_OR_RETURN(const ObjFiles files, find_obj_files(obj, beside));
   if (files.materials.empty()) return SurfaceTextures();
-  return ObjTextureReader(obj, *beside.files).read(files.materials);
+  return ObjTextureReader(obj, beside).read(files.materials);
 }
 
 }  // namespace burnish

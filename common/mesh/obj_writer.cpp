@@ -21,8 +21,7 @@ static void put_vertex(const MeshView& mesh, size_t v, OutputBuffer& output) {
 }
 
 /// Writes colours as fractions after the position, as most programs do. OBJ has no place for alpha.
-Status write_obj(const MeshView& mesh, AtomicFile& file) {
-  OutputBuffer output(file);
+Status write_obj(const MeshView& mesh, OutputBuffer& output) {
   for (size_t v = 0; v < mesh.vertices.size(); ++v) put_vertex(mesh, v, output);
   for (const Triangle& triangle : mesh.triangles) {
     output.put_text("f");

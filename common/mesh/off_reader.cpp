@@ -14,8 +14,12 @@ namespace burnish {
 template <typename Mesh>
 class OffReader {
  public:
-  OffReader(std::span<const uint8_t> bytes, const std::string& name, Mesh& mesh)
-      : text_(bytes, name), file_bytes_(bytes.size()), mesh_(mesh), colours_(space_beside(mesh)) {}
+  OffReader(std::span<const uint8_t> bytes, const std::string& name, const FileSteps& steps,
+            Mesh& mesh)
+      : text_(bytes, name, steps),
+        file_bytes_(bytes.size()),
+        mesh_(mesh),
+        colours_(space_beside(mesh)) {}
 
   Status read() {
     RETURN_IF_ERROR(text_.read_header());
@@ -87,16 +91,18 @@ class OffReader {
   std::vector<uint32_t> corners_;
 };
 
-Result<TriangleMesh> read_off(std::span<const uint8_t> bytes, const std::string& name) {
-  RETURN_IF_ERROR(check_line_lengths(bytes, name));
+Result<TriangleMesh> read_off(std::span<const uint8_t> bytes, const std::string& name,
+                              const FileSteps& steps) {
+  RETURN_IF_ERROR(check_line_lengths(bytes, name, steps));
   TriangleMesh mesh;
-  RETURN_IF_ERROR(OffReader(bytes, name, mesh).read());
+  RETURN_IF_ERROR(OffReader(bytes, name, steps, mesh).read());
   return mesh;
 }
 
-Status read_off(std::span<const uint8_t> bytes, const std::string& name, GrowingMesh& mesh) {
-  RETURN_IF_ERROR(check_line_lengths(bytes, name));
-  return OffReader(bytes, name, mesh).read();
+Status read_off(std::span<const uint8_t> bytes, const std::string& name, const FileSteps& steps,
+                GrowingMesh& mesh) {
+  RETURN_IF_ERROR(check_line_lengths(bytes, name, steps));
+  return OffReader(bytes, name, steps, mesh).read();
 }
 
 }  // namespace burnish

@@ -19,8 +19,8 @@ namespace burnish {
 /// number of lines tells which of these a file does.
 class OffText {
  public:
-  OffText(std::span<const uint8_t> bytes, const std::string& name)
-      : scanner_(bytes, name, {.hash_comments = true}) {}
+  OffText(std::span<const uint8_t> bytes, const std::string& name, const FileSteps& steps = {})
+      : scanner_(bytes, name, {.hash_comments = true}, 0, steps) {}
 
   /// Reads the first word and the counts. Fails: invalid_argument that names what is wrong.
   Status read_header();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cstring>
 #include <functional>
@@ -8,6 +9,7 @@
 #include <utility>
 
 #include "common/base/atomic_file.h"
+#include "common/base/file_budget.h"
 #include "common/base/status.h"
 
 namespace burnish {
@@ -16,12 +18,20 @@ namespace burnish {
 using ByteSink = std::function<Status(std::string_view)>;
 
 /// Gathers small values into large writes. Keeps the first failure for flush() and drops later
-/// values.
+/// values. Asks a budget for 0 bytes before each large write; it throws WorkCancelled if that
+/// fails.
 class OutputBuffer {
  public:
-  explicit OutputBuffer(AtomicFile& file)
-      : OutputBuffer([&file](std::string_view text) { return file.write(text); }) {}
-  explicit OutputBuffer(ByteSink sink) : sink_(std::move(sink)) { buffer_.reserve(kBytes); }
+  explicit OutputBuffer(AtomicFile& file, FileBudget budget = {})
+      : OutputBuffer([&file](std::string_view text) { return file.write(text); },
+                     std::move(budget)) {}
+  explicit OutputBuffer(ByteSink sink, FileBudget budget = {})
+      : sink_(std::move(sink)), budget_(std::move(budget)) {
+    buffer_.reserve(kBytes);
+  }
+
+  /// Hears of loops that write nothing yet.
+  const FileBudget& budget() const { return budget_; }
 
   void put_text(std::string_view text) {
     if (buffer_.size() + text.size() > kBytes) write();
@@ -53,7 +63,12 @@ class OutputBuffer {
   static constexpr size_t kBytes = 1 << 20;
 
   void send(std::string_view text) {
-    if (status_.is_ok()) status_ = sink_(text);
+    constexpr size_t kPieceBytes = 16 * kBytes;
+    for (; !text.empty() && status_.is_ok();
+         text.remove_prefix(std::min(text.size(), kPieceBytes))) {
+      if (!hear(budget_).is_ok()) leave_cancelled_work();
+      status_ = sink_(text.substr(0, kPieceBytes));
+    }
   }
 
   void write() {
@@ -62,6 +77,7 @@ class OutputBuffer {
   }
 
   ByteSink sink_;
+  FileBudget budget_;
   std::string buffer_;
   Status status_;
 };

@@ -16,8 +16,9 @@ namespace burnish {
 /// take several lines (long strips do), but a line holds at most one element.
 class PlyAsciiSource {
  public:
-  PlyAsciiSource(std::span<const uint8_t> bytes, const PlyHeader& header, const std::string& name)
-      : scanner_(bytes.subspan(header.body_offset), name, {}, header.lines) {}
+  PlyAsciiSource(std::span<const uint8_t> bytes, const PlyHeader& header, const std::string& name,
+                 const FileSteps& steps = {})
+      : scanner_(bytes.subspan(header.body_offset), name, {}, header.lines, steps) {}
 
   /// Returns false at the end of the file, or if the token is not a number of the type's kind.
   bool read(PlyType type, double& value) {

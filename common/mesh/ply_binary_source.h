@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "common/base/file_budget.h"
 #include "common/base/status.h"
 #include "common/mesh/ply_header.h"
 
@@ -21,8 +22,9 @@ static_assert(std::endian::native == std::endian::little);
 template <bool kBigEndian>
 class PlyBinarySource {
  public:
-  PlyBinarySource(std::span<const uint8_t> bytes, const PlyHeader& header, const std::string& name)
-      : bytes_(bytes), position_(header.body_offset), name_(name) {}
+  PlyBinarySource(std::span<const uint8_t> bytes, const PlyHeader& header, const std::string& name,
+                  const FileSteps& steps = {})
+      : bytes_(bytes), position_(header.body_offset), steps_(steps), name_(name) {}
 
   /// Returns false if the body ends inside the value; failure() then says so.
   bool read(PlyType type, double& value) {
@@ -82,6 +84,7 @@ class PlyBinarySource {
   template <typename T>
   bool read_as(double& value) {
     if (bytes_.size() - position_ < sizeof(T)) return false;
+    steps_.take();
     std::array<uint8_t, sizeof(T)> raw;
     std::memcpy(raw.data(), bytes_.data() + position_, sizeof(T));
     if constexpr (kBigEndian) std::reverse(raw.begin(), raw.end());
@@ -94,6 +97,7 @@ class PlyBinarySource {
   std::span<const uint8_t> bytes_;
   size_t position_;
   size_t last_size_ = 0;
+  FileSteps steps_;
   const std::string& name_;
 };
 

@@ -186,37 +186,40 @@ class PlyBodyReader {
 
 template <typename Source, typename Mesh>
 Status read_body(std::span<const uint8_t> bytes, const PlyHeader& header, const PlyLayout& layout,
-                 const std::string& name, Mesh& mesh) {
-  return PlyBodyReader<Source, Mesh>(Source(bytes, header, name), bytes.size(), header, layout,
-                                     mesh)
+                 const std::string& name, const FileSteps& steps, Mesh& mesh) {
+  return PlyBodyReader<Source, Mesh>(Source(bytes, header, name, steps), bytes.size(), header,
+                                     layout, mesh)
       .read();
 }
 
 template <typename Mesh>
-Status read_into(std::span<const uint8_t> bytes, const std::string& name, Mesh& mesh) {
+Status read_into(std::span<const uint8_t> bytes, const std::string& name, const FileSteps& steps,
+                 Mesh& mesh) {
   ASSIGN_OR_RETURN(const PlyHeader header, parse_ply_header(bytes, name));
   ASSIGN_OR_RETURN(const PlyLayout layout, find_ply_layout(header, name));
   switch (header.encoding) {
     case PlyEncoding::kAscii:
-      return read_body<PlyAsciiSource>(bytes, header, layout, name, mesh);
+      return read_body<PlyAsciiSource>(bytes, header, layout, name, steps, mesh);
     case PlyEncoding::kLittleEndian:
-      return read_body<PlyBinarySource<false>>(bytes, header, layout, name, mesh);
+      return read_body<PlyBinarySource<false>>(bytes, header, layout, name, steps, mesh);
     case PlyEncoding::kBigEndian:
-      return read_body<PlyBinarySource<true>>(bytes, header, layout, name, mesh);
+      return read_body<PlyBinarySource<true>>(bytes, header, layout, name, steps, mesh);
   }
   return invalid_argument(name + ": unknown PLY encoding");
 }
 
 }  // namespace
 
-Result<TriangleMesh> read_ply(std::span<const uint8_t> bytes, const std::string& name) {
+Result<TriangleMesh> read_ply(std::span<const uint8_t> bytes, const std::string& name,
+                              const FileSteps& steps) {
   TriangleMesh mesh;
-  RETURN_IF_ERROR(read_into(bytes, name, mesh));
+  RETURN_IF_ERROR(read_into(bytes, name, steps, mesh));
   return mesh;
 }
 
-Status read_ply(std::span<const uint8_t> bytes, const std::string& name, GrowingMesh& mesh) {
-  return read_into(bytes, name, mesh);
+Status read_ply(std::span<const uint8_t> bytes, const std::string& name, const FileSteps& steps,
+                GrowingMesh& mesh) {
+  return read_into(bytes, name, steps, mesh);
 }
 
 }  // namespace burnish

@@ -176,9 +176,10 @@ void add_pictures(const std::vector<std::string>& names, const MeshSurroundings&
 template <typename Source>
 void read_texture_body(std::span<const uint8_t> ply, const PlyHeader& header,
                        const PlyTextureLayout& layout, std::span<const Triangle> triangles,
-                       SurfaceTextures& textures) {
+                       const FileBudget& budget, SurfaceTextures& textures) {
   const std::string name;
-  PlyTextureReader<Source>(Source(ply, header, name), header, layout, textures).read(triangles);
+  const Source source(ply, header, name, FileSteps(budget));
+  PlyTextureReader<Source>(source, header, layout, textures).read(triangles);
 }
 
 }  // namespace
@@ -193,13 +194,15 @@ SurfaceTextures read_ply_textures(std::span<const uint8_t> ply, std::span<const 
   if (!layout.is_on_vertices() && !layout.is_on_faces()) return {};
   switch (header->encoding) {
     case PlyEncoding::kAscii:
-      read_texture_body<PlyAsciiSource>(ply, *header, layout, triangles, textures);
+      read_texture_body<PlyAsciiSource>(ply, *header, layout, triangles, beside.budget, textures);
       break;
     case PlyEncoding::kLittleEndian:
-      read_texture_body<PlyBinarySource<false>>(ply, *header, layout, triangles, textures);
+      read_texture_body<PlyBinarySource<false>>(ply, *header, layout, triangles, beside.budget,
+                                                textures);
       break;
     case PlyEncoding::kBigEndian:
-      read_texture_body<PlyBinarySource<true>>(ply, *header, layout, triangles, textures);
+      read_texture_body<PlyBinarySource<true>>(ply, *header, layout, triangles, beside.budget,
+                                               textures);
       break;
   }
   return textures;

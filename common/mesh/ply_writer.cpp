@@ -22,9 +22,8 @@ static std::string header_of(const MeshView& mesh, size_t channels) {
   return header + "property list uchar int vertex_indices\nend_header\n";
 }
 
-Status write_ply(const MeshView& mesh, AtomicFile& file) {
+Status write_ply(const MeshView& mesh, OutputBuffer& output) {
   const size_t channels = !mesh.has_colours() ? 0 : has_transparency(mesh) ? 4 : 3;
-  OutputBuffer output(file);
   output.put_text(header_of(mesh, channels));
   for (size_t v = 0; v < mesh.vertices.size(); ++v) {
     if (mesh.has_double_positions) {

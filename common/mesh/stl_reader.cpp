@@ -10,7 +10,8 @@
 namespace burnish {
 
 template <typename Mesh>
-static Status read_binary(std::span<const uint8_t> bytes, const std::string& name, Mesh& mesh) {
+static Status read_binary(std::span<const uint8_t> bytes, const std::string& name, FileSteps steps,
+                          Mesh& mesh) {
   if (bytes.size() < kStlHeaderBytes)
     return invalid_argument(name + ": neither text that begins with 'solid' nor a whole binary " +
                             "STL file: the header has 84 bytes, the file has " +
@@ -26,6 +27,7 @@ static Status read_binary(std::span<const uint8_t> bytes, const std::string& nam
   mesh.triangles.resize(facets, Triangle());
   VertexWelder welder(mesh.vertices, space_beside(mesh));
   for (uint64_t facet = 0; facet < facets; ++facet) {
+    steps.take();
     float corners[3][3];
     const size_t offset = kStlHeaderBytes + facet * kStlFacetBytes + kStlNormalBytes;
     std::memcpy(corners, bytes.data() + offset, sizeof corners);
@@ -46,8 +48,11 @@ static Status read_binary(std::span<const uint8_t> bytes, const std::string& nam
 template <typename Mesh>
 class AsciiStlReader {
  public:
-  AsciiStlReader(std::span<const uint8_t> bytes, const std::string& name, Mesh& mesh)
-      : scanner_(bytes, name), mesh_(mesh), welder_(mesh.vertices, space_beside(mesh)) {}
+  AsciiStlReader(std::span<const uint8_t> bytes, const std::string& name, const FileSteps& steps,
+                 Mesh& mesh)
+      : scanner_(bytes, name, {}, 0, steps),
+        mesh_(mesh),
+        welder_(mesh.vertices, space_beside(mesh)) {}
 
   Status read() {
     while (scanner_.next_line()) {
@@ -108,20 +113,23 @@ class AsciiStlReader {
 };
 
 template <typename Mesh>
-static Status read_either(std::span<const uint8_t> bytes, const std::string& name, Mesh& mesh) {
-  if (!is_stl_text(bytes)) return read_binary(bytes, name, mesh);
-  RETURN_IF_ERROR(check_line_lengths(bytes, name));
-  return AsciiStlReader(bytes, name, mesh).read();
+static Status read_either(std::span<const uint8_t> bytes, const std::string& name,
+                          const FileSteps& steps, Mesh& mesh) {
+  if (!is_stl_text(bytes)) return read_binary(bytes, name, steps, mesh);
+  RETURN_IF_ERROR(check_line_lengths(bytes, name, steps));
+  return AsciiStlReader(bytes, name, steps, mesh).read();
 }
 
-Result<TriangleMesh> read_stl(std::span<const uint8_t> bytes, const std::string& name) {
+Result<TriangleMesh> read_stl(std::span<const uint8_t> bytes, const std::string& name,
+                              const FileSteps& steps) {
   TriangleMesh mesh;
-  RETURN_IF_ERROR(read_either(bytes, name, mesh));
+  RETURN_IF_ERROR(read_either(bytes, name, steps, mesh));
   return mesh;
 }
 
-Status read_stl(std::span<const uint8_t> bytes, const std::string& name, GrowingMesh& mesh) {
-  return read_either(bytes, name, mesh);
+Status read_stl(std::span<const uint8_t> bytes, const std::string& name, const FileSteps& steps,
+                GrowingMesh& mesh) {
+  return read_either(bytes, name, steps, mesh);
 }
 
 }  // namespace burnish

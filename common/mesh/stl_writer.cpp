@@ -13,9 +13,8 @@ static Vec3f normal_of(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
 }
 
 /// Writes positions as floats. STL has no place for colours, shared vertices or doubles.
-Status write_stl(const MeshView& mesh, AtomicFile& file) {
+Status write_stl(const MeshView& mesh, OutputBuffer& output) {
   std::array<char, 80> header = {"Binary STL written by Burnish"};  // must not begin with "solid"
-  OutputBuffer output(file);
   output.put_bytes(header);
   output.put_bytes(static_cast<uint32_t>(mesh.triangles.size()));
   for (const Triangle& triangle : mesh.triangles) {

@@ -14,8 +14,12 @@ static std::string_view as_text(std::span<const uint8_t> bytes) {
 }
 
 TextScanner::TextScanner(std::span<const uint8_t> bytes, std::string name, TextSyntax syntax,
-                         size_t lines_before)
-    : rest_(as_text(bytes)), name_(std::move(name)), syntax_(syntax), line_number_(lines_before) {
+                         size_t lines_before, const FileSteps& steps)
+    : rest_(as_text(bytes)),
+      name_(std::move(name)),
+      syntax_(syntax),
+      line_number_(lines_before),
+      steps_(steps) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
 }
@@ -30,6 +34,7 @@ size_t TextScanner::line_length() {
 
 bool TextScanner::next_physical_line() {
   if (rest_.empty()) return false;
+  steps_.take();
   const size_t length = line_length();
   line_ = rest_.substr(0, length);
   rest_.remove_prefix(length);
@@ -61,6 +66,7 @@ bool TextScanner::next_line() {
 
 std::string_view TextScanner::next_token() {
   if (at_line_end()) return {};
+  steps_.take();
   size_t length = 0;
   while (length < line_.size() && !is_blank(line_[length])) ++length;
   const std::string_view token = line_.substr(0, length);
@@ -80,8 +86,10 @@ Status TextScanner::error(const std::string& what) const {
 
 /// Checks the lines of a piece that has one character for their ends. Counts them in `line`.
 template <typename Check>
-static Status for_long_lines(std::string_view rest, char end, size_t& line, const Check& check) {
+static Status for_long_lines(std::string_view rest, char end, size_t& line, FileSteps& steps,
+                             const Check& check) {
   for (; rest.size() > kLineBytesMax; ++line) {
+    steps.take();
     const size_t length = std::min(rest.find(end), rest.size());
     if (length > kLineBytesMax) RETURN_IF_ERROR(check(rest.substr(0, length)));
     rest.remove_prefix(std::min(length + 1, rest.size()));
@@ -89,15 +97,16 @@ static Status for_long_lines(std::string_view rest, char end, size_t& line, cons
   return Status::ok();
 }
 
-Status check_line_lengths(std::span<const uint8_t> bytes, const std::string& name) {
+Status check_line_lengths(std::span<const uint8_t> bytes, const std::string& name,
+                          FileSteps steps) {
   size_t line = 1;
   const auto refuse = [&](std::string_view text) {
     return invalid_argument(name + ": line " + std::to_string(line) + " has " +
                             std::to_string(text.size()) + " bytes, the limit is " +
                             std::to_string(kLineBytesMax));
   };
-  return for_long_lines(as_text(bytes), '\n', line, [&](std::string_view text) {
-    return for_long_lines(text, '\r', line, refuse);
+  return for_long_lines(as_text(bytes), '\n', line, steps, [&](std::string_view text) {
+    return for_long_lines(text, '\r', line, steps, refuse);
   });
 }
 

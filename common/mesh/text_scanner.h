@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "common/base/file_budget.h"
 #include "common/base/status.h"
 
 namespace burnish {
@@ -22,8 +23,9 @@ struct TextSyntax {
 /// LF, CRLF or CR; the last needs no end. Skips blank lines and a leading byte order mark.
 class TextScanner {
  public:
+  /// `steps` hears of each line and token.
   TextScanner(std::span<const uint8_t> bytes, std::string name, TextSyntax syntax = {},
-              size_t lines_before = 0);
+              size_t lines_before = 0, const FileSteps& steps = {});
 
   /// Goes to the next line that has a token. Returns false at the end of the text.
   bool next_line();
@@ -52,11 +54,13 @@ class TextScanner {
   std::string name_;
   TextSyntax syntax_;
   size_t line_number_;
+  FileSteps steps_;
   bool continues_ = false;
   size_t from_next_lf_ = SIZE_MAX;  // bytes from the next LF to the end of the text
 };
 
 /// Fails: invalid_argument that names the first line longer than kLineBytesMax.
-Status check_line_lengths(std::span<const uint8_t> bytes, const std::string& name);
+Status check_line_lengths(std::span<const uint8_t> bytes, const std::string& name,
+                          FileSteps steps = {});
 
 }  // namespace burnish

@@ -21,7 +21,7 @@ constexpr Rgba8 kWhite = {255, 255, 255, 255};
 class TexturePainter {
  public:
   TexturePainter(const TriangleMesh& mesh, const SurfaceTextures& textures,
-                 const PictureBudget& budget)
+                 const FileBudget& budget)
       : mesh_(mesh),
         textures_(textures),
         budget_(budget),
@@ -78,13 +78,11 @@ class TexturePainter {
   }
 
  private:
-  Status heard() const { return budget_ ? budget_(0) : Status::ok(); }
-
   template <typename Visit>
   Status for_each_triangle_heard(const Visit& visit) const {
     constexpr size_t kBlock = size_t{1} << 16;
     for (size_t t = 0; t < mesh_.triangles.size(); ++t) {
-      if (t % kBlock == kBlock - 1) RETURN_IF_ERROR(heard());
+      if (t % kBlock == kBlock - 1) RETURN_IF_ERROR(hear(budget_));
       visit(static_cast<uint32_t>(t));
     }
     return Status::ok();
@@ -135,7 +133,7 @@ class TexturePainter {
   Status paint(std::span<const uint32_t> triangles, std::span<const uint8_t> file,
                const std::string& name) {
     std::optional<TextureSweep> sweep;
-    const auto goes_on = [&] { return heard().is_ok(); };
+    const auto goes_on = [&] { return hear(budget_).is_ok(); };
     const auto begin = [&](const PictureSize& size) {
       RETURN_IF_ERROR(count_texels(size));
       if (budget_)
@@ -171,7 +169,7 @@ class TexturePainter {
 
   const TriangleMesh& mesh_;
   const SurfaceTextures& textures_;
-  const PictureBudget& budget_;
+  const FileBudget& budget_;
   std::vector<Eigen::Array4d> sums_;  // per vertex: colour times weight, and weight
   std::vector<uint32_t> by_picture_;  // triangles
   std::vector<uint32_t> first_of_;    // of by_picture_, per picture
@@ -182,7 +180,7 @@ class TexturePainter {
 
 Result<std::vector<Rgba8>> texture_colours(const TriangleMesh& mesh,
                                            const SurfaceTextures& textures,
-                                           const PictureBudget& budget, const std::string& name) {
+                                           const FileBudget& budget, const std::string& name) {
   TexturePainter painter(mesh, textures, budget);
   RETURN_IF_ERROR(painter.begin());
   for (uint32_t picture = 0; picture < textures.pictures.size(); ++picture) {
@@ -201,7 +199,7 @@ bool is_one_colour(const std::vector<Rgba8>& colours) {
 }  // namespace
 
 Status add_texture_colours(TriangleMesh& mesh, const SurfaceTextures& textures,
-                           const PictureBudget& budget, const std::string& name) {
+                           const FileBudget& budget, const std::string& name) {
   // Readers walk through a file twice; one whose walks differ must not end a server.
   if (textures.triangles.size() != mesh.triangles.size()) return Status::ok();
   ASSIGN_OR_RETURN(auto colours, texture_colours(mesh, textures, budget, name));

@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "common/base/file_budget.h"
 #include "common/base/status.h"
-#include "common/mesh/files_beside.h"
 #include "common/mesh/surface_textures.h"
 #include "common/mesh/triangle_mesh.h"
 
@@ -22,6 +22,6 @@ namespace burnish {
 ///
 /// Fails: as a picture cannot be read, if the textures refuse damage; as `budget` does.
 Status add_texture_colours(TriangleMesh& mesh, const SurfaceTextures& textures,
-                           const PictureBudget& budget, const std::string& name);
+                           const FileBudget& budget, const std::string& name);
 
 }  // namespace burnish

@@ -11,6 +11,7 @@
 #include "common/mesh/gltf_files.h"
 #include "common/mesh/gltf_surface.h"
 #include "common/mesh/gltf_textures.h"
+#include "common/mesh/heard_validate.h"
 #include "common/mesh/mesh_formats.h"
 #include "common/mesh/obj_textures.h"
 #include "common/mesh/ply_texture_reader.h"
@@ -28,7 +29,7 @@ struct SurfaceFile {
 };
 
 Status hand_over(TexturedSurface surface, const SurfaceFile& file, const TakeSurface& take) {
-  RETURN_IF_ERROR(validate(surface.mesh).with_context(file.name));
+  RETURN_IF_ERROR(validate(surface.mesh, FileSteps(file.beside.budget)).with_context(file.name));
   if (surface.textures.triangles.size() != surface.mesh.triangles.size()) surface.textures = {};
   return take(surface);
 }
@@ -36,7 +37,7 @@ Status hand_over(TexturedSurface surface, const SurfaceFile& file, const TakeSur
 // The textures take the place of the colours that a scan without them would show.
 Status take_obj(const SurfaceFile& file, const TakeSurface& take) {
   TexturedSurface surface;
-  ASSIGN_OR_RETURN(surface.mesh, read_obj(file.bytes, file.name));
+  ASSIGN_OR_RETURN(surface.mesh, read_obj(file.bytes, file.name, FileSteps(file.beside.budget)));
   surface.mesh.colours = {};
   if (file.beside.files != nullptr) {
     ASSIGN_OR_RETURN(surface.textures, read_obj_textures(file.bytes, file.beside));
@@ -46,7 +47,7 @@ Status take_obj(const SurfaceFile& file, const TakeSurface& take) {
 
 Status take_ply(const SurfaceFile& file, const TakeSurface& take) {
   TexturedSurface surface;
-  ASSIGN_OR_RETURN(surface.mesh, read_ply(file.bytes, file.name));
+  ASSIGN_OR_RETURN(surface.mesh, read_ply(file.bytes, file.name, FileSteps(file.beside.budget)));
   surface.mesh.colours = {};
   if (file.beside.files != nullptr)
     surface.textures = read_ply_textures(file.bytes, surface.mesh.triangles, file.beside);
@@ -55,9 +56,10 @@ Status take_ply(const SurfaceFile& file, const TakeSurface& take) {
 
 Status take_gltf(const SurfaceFile& file, const TakeSurface& take) {
   GltfFiles files(file.beside);
-  auto document = open_gltf(file.bytes, files.reader());
+  const FileSteps steps(file.beside.budget);
+  auto document = open_gltf(file.bytes, files.reader(), steps);
   if (!document.is_ok()) return document.status().with_context(file.name);
-  UnpackedViews views(*document);
+  UnpackedViews views(*document, steps);
   auto read = read_gltf_surface(views);
   if (!read.is_ok()) return read.status().with_context(file.name);
   TexturedSurface surface;
@@ -71,10 +73,11 @@ Status take_surface(const SurfaceFile& file, const TakeSurface& take);
 Status take_zip(const SurfaceFile& file, const TakeSurface& take) {
   ASSIGN_OR_RETURN(const Archive archive, Archive::open(file.bytes, file.name));
   ASSIGN_OR_RETURN(const ArchivedMesh mesh, find_mesh(archive));
-  ASSIGN_OR_RETURN(const auto content, archive.read(mesh.entry));
-  const ArchiveFiles files(archive);
-  return take_surface({content, mesh.format, file.name + ": " + mesh.path, {&files, mesh.path, {}}},
-                      take);
+  const FileBudget& budget = file.beside.budget;
+  ASSIGN_OR_RETURN(const auto content, archive.read(mesh.entry, budget));
+  const ArchiveFiles files(archive, budget);
+  return take_surface(
+      {content, mesh.format, file.name + ": " + mesh.path, {&files, mesh.path, budget}}, take);
 }
 
 Status take_surface(const SurfaceFile& file, const TakeSurface& take) {
@@ -126,6 +129,8 @@ Status read_textured_surface(std::span<const uint8_t> bytes, MeshFormat format,
                              const std::string& name, const TakeSurface& take,
                              const MeshSurroundings& beside) try {
   return take_surface({bytes, format, name, beside}, take);
+} catch (const WorkCancelled&) {
+  return cancelled(name + ": reading was cancelled");
 } catch (const std::bad_alloc&) {
   return resource_exhausted(name + ": not enough memory for a file of " +
                             std::to_string(bytes.size()) + " bytes");

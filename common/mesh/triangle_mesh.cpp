@@ -6,6 +6,7 @@
 
 #include "common/base/limits.h"
 #include "common/base/text.h"
+#include "common/mesh/heard_validate.h"
 
 namespace burnish {
 
@@ -24,8 +25,9 @@ static Status check_counts(const MeshView& mesh) {
   return Status::ok();
 }
 
-static Status check_vertices(const MeshView& mesh) {
+static Status check_vertices(const MeshView& mesh, FileSteps& steps) {
   for (size_t v = 0; v < mesh.vertices.size(); ++v) {
+    steps.take();
     for (int axis = 0; axis < 3; ++axis) {
       const double x = mesh.vertices[v][axis];
       if (std::abs(x) <= kCoordinateMagnitudeMax) continue;  // false for NaN
@@ -36,9 +38,10 @@ static Status check_vertices(const MeshView& mesh) {
   return Status::ok();
 }
 
-static Status check_triangles(const MeshView& mesh) {
+static Status check_triangles(const MeshView& mesh, FileSteps& steps) {
   double twice_area = 0;
   for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+    steps.take();
     const Triangle& triangle = mesh.triangles[t];
     for (uint32_t v : triangle) {
       if (v < mesh.vertices.size()) continue;
@@ -54,10 +57,14 @@ static Status check_triangles(const MeshView& mesh) {
                           " triangles are degenerate, or smaller than 1e-77");
 }
 
-Status validate(const MeshView& mesh) {
+Status validate(const MeshView& mesh, FileSteps steps) {
   RETURN_IF_ERROR(check_counts(mesh));
-  RETURN_IF_ERROR(check_vertices(mesh));
-  return check_triangles(mesh);
+  RETURN_IF_ERROR(check_vertices(mesh, steps));
+  return check_triangles(mesh, steps);
+}
+
+Status validate(const MeshView& mesh) {
+  return validate(mesh, FileSteps());
 }
 
 }  // namespace burnish

@@ -9,12 +9,12 @@
 namespace burnish {
 
 Result<TriangleMesh> read_zip(std::span<const uint8_t> bytes, const std::string& name,
-                              const PictureBudget& pictures) {
+                              const FileBudget& budget) {
   ASSIGN_OR_RETURN(const Archive archive, Archive::open(bytes, name));
   ASSIGN_OR_RETURN(const ArchivedMesh mesh, find_mesh(archive));
-  ASSIGN_OR_RETURN(const auto content, archive.read(mesh.entry));
-  const ArchiveFiles files(archive);
-  return read_mesh(content, mesh.format, name + ": " + mesh.path, {&files, mesh.path, pictures});
+  ASSIGN_OR_RETURN(const auto content, archive.read(mesh.entry, budget));
+  const ArchiveFiles files(archive, budget);
+  return read_mesh(content, mesh.format, name + ": " + mesh.path, {&files, mesh.path, budget});
 }
 
 /// The archive's files are unpacked one at a time: the mesh first, then the pictures. A

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "common/base/progress.h"
 #include "common/base/status.h"
 #include "common/service/session_info.h"
 #include "server/metrics/live_objects.h"
@@ -13,9 +14,10 @@ namespace burnish {
 /// An exported mesh on its way to a client: a staging file without a name, gone with this object.
 class ExportFile {
  public:
-  /// Takes over the file at `path`: reads it once for its size and hash, and unlinks it.
+  /// Takes over the file at `path`: reads it once for its size and hash, and unlinks it. Fails:
+  /// cancelled; as errno says.
   static Result<std::unique_ptr<ExportFile>> adopt(const std::filesystem::path& path,
-                                                   ExportSummary summary);
+                                                   ExportSummary summary, const Progress& progress);
   ~ExportFile();
 
   const ExportSummary& summary() const { return summary_; }

@@ -97,8 +97,9 @@ Result<ImportOutcome> MeshStore::import(Upload& upload, const ImportHeader& head
     if (code == StatusCode::kNotFound || code == StatusCode::kDataLoss)
       return import_new(upload, id, header, progress);
     RETURN_IF_ERROR(known.status());
-    if (!check_original(scan_folder(id), *known).is_ok())
-      RETURN_IF_ERROR(replace_original(scan_folder(id), *known, upload.path()));
+    const Status checked = check_original(scan_folder(id), *known, progress);
+    if (checked.code() == StatusCode::kCancelled) return checked;
+    if (!checked.is_ok()) RETURN_IF_ERROR(replace_original(scan_folder(id), *known, upload.path()));
   }
   RETURN_IF_ERROR(repair_shared(id, progress));
   return prepare_known(id, header.key, progress);
@@ -126,7 +127,8 @@ Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& i
   const std::string prepared_name = prepared_file_name(resolve(header.key, scan));
 
   if (!report(progress, "storing", 0)) return cancelled("the import was cancelled");
-  RETURN_IF_ERROR(write_prepared_mesh(*prepared, staging.path() / "prepared" / prepared_name));
+  RETURN_IF_ERROR(
+      write_prepared_mesh(*prepared, staging.path() / "prepared" / prepared_name, progress));
   prepared.reset();  // pages need the memory
   RETURN_IF_ERROR(build_pages({mesh->vertices, mesh->triangles, mesh->colours, scan.statistics},
                               staging.path() / pages_file_name(),
@@ -142,7 +144,7 @@ Result<ImportOutcome> MeshStore::import_known(const std::string& id, const Prepa
   Status status = bring_here(id, progress);
   const auto scan = read_scan_folder(scan_folder(id));
   if (status.is_ok())
-    status = scan.is_ok() ? check_original(scan_folder(id), *scan) : scan.status();
+    status = scan.is_ok() ? check_original(scan_folder(id), *scan, progress) : scan.status();
   if (status.code() == StatusCode::kCancelled) return status;
   if (!status.is_ok())
     return not_found("the server does not have these bytes: " + status.message());

@@ -64,7 +64,7 @@ Status MeshStore::rebuild(const std::string& id, const PreparedKey& key, const P
                                                 progress));
   RETURN_IF_ERROR(make_room(id, key));
   RETURN_IF_ERROR(make_prepared_folder(folder));  // somebody may have deleted it
-  RETURN_IF_ERROR(write_prepared_mesh(*prepared, prepared_path(id, key)));
+  RETURN_IF_ERROR(write_prepared_mesh(*prepared, prepared_path(id, key), progress));
   return read_again(id);
 }
 

@@ -207,7 +207,7 @@ Status MeshStore::repair_shared(const std::string& id, const Progress& progress)
 /// Checks the original, and fetches it again if it is damaged.
 Status MeshStore::check_or_fetch(const ScanInfo& scan, const Progress& progress) {
   const fs::path folder = scan_folder(scan.id);
-  const Status checked = check_original(folder, scan);
+  const Status checked = check_original(folder, scan, progress);
   if (checked.code() != StatusCode::kDataLoss || !shared_) return checked;
   const StagingFolder good(folder_.staging_path(".original"));
   const Status fetched = shared_->originals->fetch(scan, good.path(), progress);

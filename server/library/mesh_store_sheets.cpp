@@ -9,6 +9,7 @@
 #include "common/mesh/textured_surface.h"
 #include "common/pages/directory_codec.h"
 #include "server/library/mesh_store.h"
+#include "server/library/read_original.h"
 #include "server/library/scan_record.h"
 #include "server/memory/library_budget.h"
 #include "server/prepare/sheets/build_sheets.h"
@@ -100,7 +101,8 @@ Result<bool> MeshStore::make_sheets(const ScanPages& pages, const Progress& prog
     is_made = *built;
     return Status::ok();
   };
-  RETURN_IF_ERROR(read_textured_surface(file.bytes(), scan.format, scan.name, build));
+  RETURN_IF_ERROR(read_textured_surface(file.bytes(), scan.format, scan.name, build,
+                                        {.budget = reading_budget(budget, progress)}));
   if (made.lost_triangles > 0)
     spdlog::warn("scan {}: {} triangles of its pages have no picture", scan.name,
                  made.lost_triangles);

@@ -3,9 +3,9 @@
 #include <spdlog/spdlog.h>
 
 #include "common/base/atomic_file.h"
-#include "common/base/mapped_file.h"
-#include "common/transfer/content_hash.h"
+#include "server/library/checked_copy.h"
 #include "server/library/data_folder.h"
+#include "server/library/original_store.h"
 #include "server/library/scan_record.h"
 
 namespace burnish {
@@ -28,16 +28,12 @@ Status make_prepared_folder(const fs::path& scan) {
              : Status::ok();
 }
 
-Status check_original(const fs::path& folder, const ScanInfo& scan) {
+Status check_original(const fs::path& folder, const ScanInfo& scan, const Progress& progress) {
   const fs::path path = folder / original_file_name(scan.format);
-  const auto file = MappedFile::open(path);
-  if (file.is_ok()) {
-    ContentHash hash;
-    hash.update({reinterpret_cast<const char*>(file->bytes().data()), file->bytes().size()});
-    if (hash.finish() == scan.id) return Status::ok();
-  } else if (file.status().code() != StatusCode::kNotFound) {
-    return file.status();
-  }
+  const Status checked = check_file(path, scan.id, as_phase("reading", progress));
+  const bool is_damaged =
+      checked.code() == StatusCode::kDataLoss || checked.code() == StatusCode::kNotFound;
+  if (!is_damaged) return checked;
   return data_loss("the original of scan " + scan.name + " is damaged (" + path.string() +
                    "); import the same file again");
 }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "common/base/progress.h"
 #include "common/base/status.h"
 #include "common/service/scan_info.h"
 
@@ -16,8 +17,9 @@ Status move_path(const std::filesystem::path& from, const std::filesystem::path&
 Status make_prepared_folder(const std::filesystem::path& scan);
 
 /// Reads a scan's stored original and compares its SHA-256 with the scan's id. Fails: data_loss if
-/// it differs or is missing; the message names the file and the remedy.
-Status check_original(const std::filesystem::path& folder, const ScanInfo& scan);
+/// it differs or is missing; the message names the file and the remedy; cancelled.
+Status check_original(const std::filesystem::path& folder, const ScanInfo& scan,
+                      const Progress& progress);
 
 /// Puts a good file in the place of a damaged original. Deletes the prepared files: they may have
 /// been made from the damage.

@@ -46,22 +46,24 @@ static Status write_surface(MeshStore& store, const std::string& scan_id, const 
                             MeshFormat format, const std::filesystem::path& path,
                             const Progress& progress, ExportSummary& summary) {
   const auto original = store.find_original(scan_id, progress);
+  const FileBudget heard = heard_budget(progress, "writing");
   if (original.status().code() == StatusCode::kDataLoss && is_written_for_any_scan(format)) {
     spdlog::warn("an export without the original: {}", original.status().message());
-    RETURN_IF_ERROR(write_mesh(moved.after, path));
+    RETURN_IF_ERROR(write_mesh(moved.after, path, heard));
     summary.left_out = {
         "all but positions, triangles and colours, because the original is damaged"};
     return Status::ok();
   }
   RETURN_IF_ERROR(original.status());
-  ASSIGN_OR_RETURN(summary.left_out, attributes_left_out(*original, format, moved.after));
+  ASSIGN_OR_RETURN(summary.left_out, attributes_left_out(*original, format, moved.after, heard));
   LoopProgress rows(progress, "writing", 0, 0);
   Quota::Share share;
   PictureWork pictures{budget_of_pictures(store.memory(), rows, share), {}};
-  RETURN_IF_ERROR(write_moved_mesh(*original, moved, path, &pictures));
+  RETURN_IF_ERROR(write_moved_mesh(*original, moved, path, &pictures, heard));
   summary.pictures = text_of(pictures.report);
   if (!moved.colours().is_there()) return Status::ok();
-  ASSIGN_OR_RETURN(const auto names, edited_colours_left_out(*original, format, pictures.report));
+  ASSIGN_OR_RETURN(const auto names,
+                   edited_colours_left_out(*original, format, pictures.report, heard));
   summary.left_out.insert(summary.left_out.end(), names.begin(), names.end());
   return Status::ok();
 }
@@ -142,7 +144,7 @@ Result<std::unique_ptr<ExportFile>> SessionManager::export_mesh(const std::strin
   auto summary = solve_to_file(held, sent, path, progress);
   if (!summary.is_ok()) return summary.status().renamed(path.string(), file_name);
   summary->is_archive = sent.format != wish.format;
-  auto file = ExportFile::adopt(path, std::move(*summary));
+  auto file = ExportFile::adopt(path, std::move(*summary), progress);
   if (!file.is_ok()) return file.status().renamed(path.string(), file_name);
   return file;
 }

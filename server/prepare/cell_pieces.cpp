@@ -74,17 +74,19 @@ void deal_pieces(const GridMesh& mesh, Dealing& dealing, const Progress& progres
 }
 
 // Threads have dealt the pieces of a cell in any order.
-void order_by_triangle(std::span<CellPiece> pieces) {
+void order_by_triangle(std::span<CellPiece> pieces, const LoopPart& part) {
   const std::vector<size_t> starts = chunks_of_cells(pieces);
+  LoopProgress loop(part.progress, part.phase, part.begin, part.end);
 #pragma omp parallel for schedule(static)
   for (size_t chunk = 0; chunk < starts.size() - 1; ++chunk)
-    for (size_t begin = starts[chunk]; begin < starts[chunk + 1];) {
+    for (size_t begin = starts[chunk]; begin < starts[chunk + 1] && loop.goes_on(0);) {
       const size_t end = end_of_cell(pieces, begin);
       const auto of_cell = pieces.subspan(begin, end - begin);
       if (!std::ranges::is_sorted(of_cell, {}, &CellPiece::triangle))
         std::ranges::sort(of_cell, {}, &CellPiece::triangle);
       begin = end;
     }
+  leave_if_cancelled(loop);
 }
 
 uint64_t largest_brick(const Bricks& bricks) {
@@ -104,14 +106,14 @@ Result<ScratchArray<CellPiece>> find_cell_pieces(const GridMesh& mesh, const Pie
   deal_pieces(mesh, dealing, progress);
   ScratchArray<CellPiece> spare(room.space, largest_brick(bricks));
   for (size_t brick = 0; brick < bricks.count(); ++brick) {
-    if (!report(progress, "grid",
-                kDealtPart + (1 - kDealtPart) * static_cast<double>(brick) /
-                                 static_cast<double>(bricks.count())))
-      return cancelled("cancelled while cutting at the grid");
+    const double done = kDealtPart + (1 - kDealtPart) * static_cast<double>(brick) /
+                                         static_cast<double>(bricks.count());
+    if (!report(progress, "grid", done)) return cancelled("cancelled while cutting at the grid");
     const uint64_t begin = bricks.start[brick], size = bricks.start[brick + 1] - begin;
     const std::span<CellPiece> of_brick(pieces.data() + begin, size);
-    radix_sort(of_brick, std::span(spare.data(), size), std::mem_fn(&CellPiece::cell));
-    order_by_triangle(of_brick);
+    radix_sort(of_brick, std::span(spare.data(), size), std::mem_fn(&CellPiece::cell),
+               {progress, "grid", done, done});
+    order_by_triangle(of_brick, {progress, "grid", done, done});
   }
   return pieces;
 }

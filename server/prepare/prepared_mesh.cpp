@@ -1,9 +1,11 @@
 #include "server/prepare/prepared_mesh.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "common/base/atomic_file.h"
 #include "common/base/file_content.h"
+#include "common/base/loop_progress.h"
 #include "server/prepare/prepared_file.h"
 
 namespace burnish {
@@ -14,16 +16,29 @@ uint64_t PreparedMesh::byte_count() const {
   return total;
 }
 
-Status write_prepared_mesh(const PreparedMesh& prepared, const std::filesystem::path& path) {
+/// Writes a section in pieces, each a fraction of a second.
+static Status write_section(std::span<const uint8_t> section, LoopProgress& loop,
+                            AtomicFile& file) {
+  constexpr size_t kPieceBytes = size_t{16} << 20;
+  for (; !section.empty(); section = section.subspan(std::min(kPieceBytes, section.size()))) {
+    if (!loop.goes_on(0)) return cancelled("storing the prepared mesh was cancelled");
+    RETURN_IF_ERROR(file.write(section.first(std::min(kPieceBytes, section.size()))));
+  }
+  return Status::ok();
+}
+
+Status write_prepared_mesh(const PreparedMesh& prepared, const std::filesystem::path& path,
+                           const Progress& progress) {
   static constexpr std::array<uint8_t, kSectionAlignment> kZeros = {};
   const PreparedHeader header = make_prepared_header(prepared);
   const auto sections = section_bytes(prepared);
   ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(path));
   RETURN_IF_ERROR(file.write({reinterpret_cast<const uint8_t*>(&header), sizeof(header)}));
+  LoopProgress loop(progress, "storing", 0, 0);
   uint64_t end = sizeof(header);
   for (int i = 0; i < kPreparedSections; ++i) {
     RETURN_IF_ERROR(file.write(std::span(kZeros).first(header.sections[i].offset - end)));
-    RETURN_IF_ERROR(file.write(sections[i]));
+    RETURN_IF_ERROR(write_section(sections[i], loop, file));
     end = header.sections[i].offset + sections[i].size();
   }
   return file.commit();

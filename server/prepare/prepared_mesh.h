@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "common/base/progress.h"
 #include "common/base/scratch_space.h"
 #include "common/base/status.h"
 #include "common/base/types.h"
@@ -105,8 +106,10 @@ class PreparedMesh {
   std::shared_ptr<const void> storage;  ///< owns the memory behind the spans
 };
 
-/// Writes the prepared mesh to `path` through a synced temporary file.
-Status write_prepared_mesh(const PreparedMesh& prepared, const std::filesystem::path& path);
+/// Writes the prepared mesh to `path` through a synced temporary file. Fails: cancelled; as errno
+/// says.
+Status write_prepared_mesh(const PreparedMesh& prepared, const std::filesystem::path& path,
+                           const Progress& progress = {});
 
 /// Reads a copy of a prepared file into scratch space. The file itself is not mapped: that would
 /// end the process when somebody shortens it. Fails: not_found; data_loss that names the section

@@ -5,6 +5,7 @@
 
 #include "common/base/check.h"
 #include "common/gltf/base64.h"
+#include "common/gltf/data_uri.h"
 #include "common/mesh/rewrite/gltf_view_range.h"
 
 namespace burnish {
@@ -74,10 +75,8 @@ void GltfEdit::put_data_uris() {
   for (const auto& [index, bytes] : edited_) {
     if (document_.buffers[index].home != GltfBuffer::Home::kText) continue;
     GltfJson& uri = json_["buffers"][index]["uri"];
-    constexpr std::string_view kMark = ";base64,";
     const std::string before = uri.get<std::string>();
-    const size_t mark = before.find(kMark);
-    uri = before.substr(0, mark) + std::string(kMark) + to_base64(bytes);
+    uri = before.substr(0, find_base64(before)) + to_base64(bytes);
   }
 }
 

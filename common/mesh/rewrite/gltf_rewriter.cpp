@@ -132,9 +132,10 @@ Status rewrite_gltf(std::span<const uint8_t> bytes, const std::string& name,
                     const GltfFilesBeside& beside, const MovedMesh& moved,
                     std::span<const EditedPicture> pictures, OutputBuffer& output,
                     std::vector<GltfFileBeside>& changed) {
-  const auto document = open_gltf(bytes, beside);
+  const FileSteps steps(output.budget());
+  const auto document = open_gltf(bytes, beside, steps);
   if (!document.is_ok()) return changed_original(name, document.status().message());
-  UnpackedViews views(*document);
+  UnpackedViews views(*document, steps);
   const auto surface = read_gltf_surface(views);
   if (!surface.is_ok()) return changed_original(name, surface.status().message());
   if (!std::ranges::equal(surface->mesh.vertices, moved.before))

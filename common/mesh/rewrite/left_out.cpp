@@ -15,8 +15,9 @@
 
 namespace burnish {
 
-static bool list_off_extras(std::span<const uint8_t> bytes, size_t triangles, LeftOutList& list) {
-  OffText text(bytes, "");
+static bool list_off_extras(std::span<const uint8_t> bytes, size_t triangles,
+                            const FileSteps& steps, LeftOutList& list) {
+  OffText text(bytes, "", steps);
   if (!text.read_header().is_ok()) return false;
   list.add_if(text.kind().has_normals, "normals");
   list.add_if(text.kind().has_texture_coordinates, "texture coordinates");
@@ -25,10 +26,12 @@ static bool list_off_extras(std::span<const uint8_t> bytes, size_t triangles, Le
 }
 
 /// Some programs keep a facet's colour in its two last bytes.
-static bool list_stl_extras(std::span<const uint8_t> bytes, size_t triangles, LeftOutList& list) {
+static bool list_stl_extras(std::span<const uint8_t> bytes, size_t triangles, FileSteps steps,
+                            LeftOutList& list) {
   if (is_stl_text(bytes)) return true;
   if (bytes.size() < kStlHeaderBytes + triangles * kStlFacetBytes) return false;
   for (size_t facet = 1; facet <= triangles; ++facet) {
+    steps.take();
     const uint8_t* end = bytes.data() + kStlHeaderBytes + facet * kStlFacetBytes;
     list.add_if(end[-1] != 0 || end[-2] != 0, "attributes of facets");
   }
@@ -36,16 +39,16 @@ static bool list_stl_extras(std::span<const uint8_t> bytes, size_t triangles, Le
 }
 
 static bool list_extras(std::span<const uint8_t> bytes, MeshFormat format, size_t triangles,
-                        LeftOutList& list) {
+                        const FileSteps& steps, LeftOutList& list) {
   switch (format) {
     case MeshFormat::kPly:
       return list_ply_extras(bytes, triangles, list);
     case MeshFormat::kObj:
-      return list_obj_extras(bytes, triangles, list);
+      return list_obj_extras(bytes, triangles, steps, list);
     case MeshFormat::kStl:
-      return list_stl_extras(bytes, triangles, list);
+      return list_stl_extras(bytes, triangles, steps, list);
     case MeshFormat::kOff:
-      return list_off_extras(bytes, triangles, list);
+      return list_off_extras(bytes, triangles, steps, list);
     case MeshFormat::kGlb:
     case MeshFormat::kGltf:
       return list_gltf_extras(bytes, list);
@@ -56,23 +59,26 @@ static bool list_extras(std::span<const uint8_t> bytes, MeshFormat format, size_
 }
 
 static Status list_packed_extras(std::span<const uint8_t> bytes, const std::string& name,
-                                 MeshFormat to, size_t triangles, LeftOutList& list) {
-  ASSIGN_OR_RETURN(const PackedMesh packed, PackedMesh::open(bytes, name));
+                                 MeshFormat to, size_t triangles, const FileBudget& budget,
+                                 LeftOutList& list) {
+  ASSIGN_OR_RETURN(const PackedMesh packed, PackedMesh::open(bytes, name, budget));
   list_files_beside(packed, list);
-  if (to == packed.mesh.format || list_extras(packed.bytes, packed.mesh.format, triangles, list))
+  if (to == packed.mesh.format ||
+      list_extras(packed.bytes, packed.mesh.format, triangles, FileSteps(budget), list))
     return Status::ok();
   return changed_original(packed.name, "its beginning is another format's");
 }
 
 Result<std::vector<std::string>> attributes_left_out(const OriginalFile& original, MeshFormat to,
-                                                     const MeshView& mesh) {
+                                                     const MeshView& mesh,
+                                                     const FileBudget& budget) try {
   LeftOutList list;
   if (to == original.format || to == MeshFormat::kZip) return list.names();
   ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(original.path));
   const size_t triangles = mesh.triangles.size();
   if (original.format == MeshFormat::kZip) {
-    RETURN_IF_ERROR(list_packed_extras(file.bytes(), original.name, to, triangles, list));
-  } else if (!list_extras(file.bytes(), original.format, triangles, list)) {
+    RETURN_IF_ERROR(list_packed_extras(file.bytes(), original.name, to, triangles, budget, list));
+  } else if (!list_extras(file.bytes(), original.format, triangles, FileSteps(budget), list)) {
     return changed_original(original.name, "its beginning is another format's");
   }
   const bool is_transparent = std::any_of(mesh.colours.begin(), mesh.colours.end(),
@@ -80,6 +86,8 @@ Result<std::vector<std::string>> attributes_left_out(const OriginalFile& origina
   list.add_if(to == MeshFormat::kStl && mesh.has_colours(), "colours");
   list.add_if(to == MeshFormat::kObj && is_transparent, "transparency");
   return list.names();
+} catch (const WorkCancelled&) {
+  return cancelled("reading the original was cancelled");
 }
 
 static bool has_ply_colours(std::span<const uint8_t> bytes) {
@@ -89,28 +97,34 @@ static bool has_ply_colours(std::span<const uint8_t> bytes) {
   return layout.is_ok() && layout->has_colours;
 }
 
-static bool rewrites_colours(std::span<const uint8_t> bytes, MeshFormat format) {
-  if (format == MeshFormat::kObj) return obj_colour_scale(bytes).has_value();
+static bool rewrites_colours(std::span<const uint8_t> bytes, MeshFormat format,
+                             const FileBudget& budget) {
+  if (format == MeshFormat::kObj) return obj_colour_scale(bytes, FileSteps(budget)).has_value();
   if (format == MeshFormat::kPly) return has_ply_colours(bytes);
   return format == MeshFormat::kOff;
 }
 
-Result<bool> keeps_changed_colours(const OriginalFile& original, MeshFormat to) {
+Result<bool> keeps_changed_colours(const OriginalFile& original, MeshFormat to,
+                                   const FileBudget& budget) try {
   if (to == MeshFormat::kStl) return false;
   ASSIGN_OR_RETURN(const WritePlan plan, plan_to_write(original, to));
   if (plan.way == WriteWay::kConvert) return true;
   ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(original.path));
-  if (original.format != MeshFormat::kZip) return rewrites_colours(file.bytes(), original.format);
-  ASSIGN_OR_RETURN(const PackedMesh packed, PackedMesh::open(file.bytes(), original.name));
-  return rewrites_colours(packed.bytes, packed.mesh.format);
+  if (original.format != MeshFormat::kZip)
+    return rewrites_colours(file.bytes(), original.format, budget);
+  ASSIGN_OR_RETURN(const PackedMesh packed, PackedMesh::open(file.bytes(), original.name, budget));
+  return rewrites_colours(packed.bytes, packed.mesh.format, budget);
+} catch (const WorkCancelled&) {
+  return cancelled("reading the original was cancelled");
 }
 
 Result<std::vector<std::string>> edited_colours_left_out(const OriginalFile& original,
                                                          MeshFormat to,
-                                                         const PictureReport& pictures) {
+                                                         const PictureReport& pictures,
+                                                         const FileBudget& budget) {
   std::vector<std::string> names;
   for (const std::string& kept : pictures.kept) names.push_back("edited colours of " + kept);
-  ASSIGN_OR_RETURN(const bool is_kept, keeps_changed_colours(original, to));
+  ASSIGN_OR_RETURN(const bool is_kept, keeps_changed_colours(original, to, budget));
   if (!is_kept && pictures.pictures == 0) names.emplace_back("edited colours");
   return names;
 }

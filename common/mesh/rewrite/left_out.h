@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "common/base/file_budget.h"
 #include "common/base/status.h"
 #include "common/mesh/rewrite/rewrite.h"
 
@@ -12,21 +13,22 @@ namespace burnish {
 /// words: "normals", "materials", "property quality". At most kLeftOutMax names; the last is then
 /// "others". Empty for the file's own format, and for an archive. Names the files beside an
 /// archive's mesh too. `mesh` is what read_mesh() made of the file. Fails: as the file cannot be
-/// read.
+/// read; cancelled, as `budget` says.
 Result<std::vector<std::string>> attributes_left_out(const OriginalFile& original, MeshFormat to,
-                                                     const MeshView& mesh);
+                                                     const MeshView& mesh,
+                                                     const FileBudget& budget = {});
 
 /// Returns whether a file in this format has changed vertex colours. In the original's own format
-/// those of glTF do not change, nor those that come from textures. Fails: as the file cannot be
-/// read.
-Result<bool> keeps_changed_colours(const OriginalFile& original, MeshFormat to);
+/// those of glTF do not change, nor those that come from textures. Fails: likewise.
+Result<bool> keeps_changed_colours(const OriginalFile& original, MeshFormat to,
+                                   const FileBudget& budget = {});
 
 /// Names what a written file does not have of edited colours: all of them if neither vertices nor
-/// pictures have them, and pictures that were kept, with the reason. Fails: as the file cannot be
-/// read.
+/// pictures have them, and pictures that were kept, with the reason. Fails: likewise.
 Result<std::vector<std::string>> edited_colours_left_out(const OriginalFile& original,
                                                          MeshFormat to,
-                                                         const PictureReport& pictures);
+                                                         const PictureReport& pictures,
+                                                         const FileBudget& budget = {});
 
 inline constexpr size_t kLeftOutMax = 20;
 

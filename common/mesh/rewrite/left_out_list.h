@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "common/base/file_budget.h"
 #include "common/mesh/rewrite/left_out.h"
 
 namespace burnish {
@@ -30,7 +31,8 @@ class LeftOutList {
 /// Add what a file has besides positions, triangles and vertex colours. `triangles` are the mesh's.
 /// Return false if the file is not in the format.
 bool list_ply_extras(std::span<const uint8_t> bytes, size_t triangles, LeftOutList& list);
-bool list_obj_extras(std::span<const uint8_t> bytes, size_t triangles, LeftOutList& list);
+bool list_obj_extras(std::span<const uint8_t> bytes, size_t triangles, const FileSteps& steps,
+                     LeftOutList& list);
 bool list_gltf_extras(std::span<const uint8_t> bytes, LeftOutList& list);
 
 }  // namespace burnish

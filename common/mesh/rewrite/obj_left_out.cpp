@@ -26,9 +26,10 @@ static bool has_comment(std::span<const uint8_t> bytes) {
          text.find("\r#") != std::string_view::npos;
 }
 
-bool list_obj_extras(std::span<const uint8_t> bytes, size_t triangles, LeftOutList& list) {
+bool list_obj_extras(std::span<const uint8_t> bytes, size_t triangles, const FileSteps& steps,
+                     LeftOutList& list) {
   size_t faces = 0;
-  for (TextScanner scanner(bytes, "", kObjSyntax); scanner.next_line();) {
+  for (TextScanner scanner(bytes, "", kObjSyntax, 0, steps); scanner.next_line();) {
     const std::string_view keyword = scanner.next_token();
     if (keyword == "v") continue;
     faces += keyword == "f";

@@ -12,9 +12,9 @@ namespace burnish {
 namespace {
 
 /// A normal that cannot be read is 0, which no other equals.
-std::vector<Vec3f> read_normals(std::span<const uint8_t> bytes) {
+std::vector<Vec3f> read_normals(std::span<const uint8_t> bytes, const FileSteps& steps) {
   std::vector<Vec3f> normals;
-  for (TextScanner scanner(bytes, "", kObjSyntax); scanner.next_line();)
+  for (TextScanner scanner(bytes, "", kObjSyntax, 0, steps); scanner.next_line();)
     if (scanner.next_token() == "vn")
       normals.push_back(parse_normal(next_position_words(scanner)).value_or(Vec3f::Zero()));
   return normals;
@@ -32,8 +32,8 @@ std::optional<size_t> place_of(std::string_view token, size_t so_far, size_t all
 class NormalGatherer {
  public:
   NormalGatherer(std::span<const uint8_t> bytes, const MovedMesh& moved,
-                 const std::vector<Vec3f>& values)
-      : scanner_(bytes, "", kObjSyntax),
+                 const std::vector<Vec3f>& values, const FileSteps& steps)
+      : scanner_(bytes, "", kObjSyntax, 0, steps),
         moved_(moved),
         values_(values),
         vertex_places_(find_places(moved.before)),
@@ -102,11 +102,11 @@ class NormalGatherer {
 
 }  // namespace
 
-std::vector<AreaVectors> gather_obj_normals(std::span<const uint8_t> bytes,
-                                            const MovedMesh& moved) {
-  const std::vector<Vec3f> normals = read_normals(bytes);
+std::vector<AreaVectors> gather_obj_normals(std::span<const uint8_t> bytes, const MovedMesh& moved,
+                                            const FileSteps& steps) {
+  const std::vector<Vec3f> normals = read_normals(bytes, steps);
   if (normals.empty()) return {};
-  return NormalGatherer(bytes, moved, normals).gather();
+  return NormalGatherer(bytes, moved, normals, steps).gather();
 }
 
 }  // namespace burnish

@@ -8,8 +8,8 @@
 
 namespace burnish {
 
-std::optional<float> obj_colour_scale(std::span<const uint8_t> bytes) {
-  TextScanner scanner(bytes, "", kObjSyntax);
+std::optional<float> obj_colour_scale(std::span<const uint8_t> bytes, const FileSteps& steps) {
+  TextScanner scanner(bytes, "", kObjSyntax, 0, steps);
   std::optional<float> largest;
   while (scanner.next_line()) {
     if (scanner.next_token() != "v") continue;
@@ -23,9 +23,9 @@ struct ObjDigits {
   TextDigits positions, normals;
 };
 
-static ObjDigits obj_digits_of(std::span<const uint8_t> bytes) {
+static ObjDigits obj_digits_of(std::span<const uint8_t> bytes, const FileSteps& steps) {
   ObjDigits digits;
-  for (TextScanner scanner(bytes, "", kObjSyntax); scanner.next_line();) {
+  for (TextScanner scanner(bytes, "", kObjSyntax, 0, steps); scanner.next_line();) {
     const std::string_view keyword = scanner.next_token();
     if (keyword == "v") add_words(next_position_words(scanner), digits.positions);
     if (keyword == "vn") add_words(next_position_words(scanner), digits.normals);
@@ -35,13 +35,14 @@ static ObjDigits obj_digits_of(std::span<const uint8_t> bytes) {
 
 Status rewrite_obj(std::span<const uint8_t> bytes, const std::string& name, const MovedMesh& moved,
                    OutputBuffer& output) {
-  const ObjDigits digits = obj_digits_of(bytes);
+  const FileSteps steps(output.budget());
+  const ObjDigits digits = obj_digits_of(bytes, steps);
   const WrittenMesh written(moved, WrittenNumber::of_text(moved, digits.positions));
   const WrittenNumber normal_number = WrittenNumber::of_normals(digits.normals);
-  const std::vector<AreaVectors> normals = gather_obj_normals(bytes, written.moved());
+  const std::vector<AreaVectors> normals = gather_obj_normals(bytes, written.moved(), steps);
   const bool has_colours = moved.after.has_colours();
-  const float scale = has_colours ? obj_colour_scale(bytes).value_or(0) : 0;
-  TextPatch text = {TextScanner(bytes, name, kObjSyntax), BytePatch(bytes, output)};
+  const float scale = has_colours ? obj_colour_scale(bytes, steps).value_or(0) : 0;
+  TextPatch text = {TextScanner(bytes, name, kObjSyntax, 0, steps), BytePatch(bytes, output)};
   uint64_t vertex = 0;
   size_t normal = 0;
   while (text.scanner.next_line()) {

@@ -52,7 +52,7 @@ std::vector<AreaVectors> gather_off_areas(const MovedMesh& moved, const OffAhead
 
 Status rewrite_off(std::span<const uint8_t> bytes, const std::string& name, const MovedMesh& moved,
                    OutputBuffer& output) {
-  OffText text(bytes, name);
+  OffText text(bytes, name, FileSteps(output.budget()));
   const Status header = text.read_header();
   if (!header.is_ok()) return changed_original(name, header.message());
   if (text.vertices() != moved.before.size())

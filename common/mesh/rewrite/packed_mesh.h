@@ -17,8 +17,9 @@ struct PackedMesh {
   std::vector<uint8_t> bytes;
   std::string name;  ///< of the mesh file, for messages
 
-  /// Fails: as the archive cannot be read.
-  static Result<PackedMesh> open(std::span<const uint8_t> archive, const std::string& name);
+  /// Fails: as the archive cannot be read; as `budget` does.
+  static Result<PackedMesh> open(std::span<const uint8_t> archive, const std::string& name,
+                                 const FileBudget& budget = {});
 };
 
 }  // namespace burnish

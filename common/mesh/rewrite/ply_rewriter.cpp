@@ -239,8 +239,9 @@ class PlyBodyRewriter {
 template <typename Source>
 Status rewrite_body(std::span<const uint8_t> bytes, const PlyHeader& header,
                     const std::string& name, const PlyLayout& layout, const MovedMesh& moved,
-                    BytePatch& patch) {
-  return PlyBodyRewriter<Source>(Source(bytes, header, name), header, name, layout, moved, patch)
+                    const FileSteps& steps, BytePatch& patch) {
+  return PlyBodyRewriter<Source>(Source(bytes, header, name, steps), header, name, layout, moved,
+                                 patch)
       .rewrite();
 }
 
@@ -258,7 +259,7 @@ Status rewrite_ply(std::span<const uint8_t> bytes, const std::string& name, cons
                            ? rewrite_body<PlyBinarySource<false>>
                            : rewrite_body<PlyBinarySource<true>>;
   BytePatch patch(bytes, output);
-  RETURN_IF_ERROR(rewrite(bytes, header, name, layout, moved, patch));
+  RETURN_IF_ERROR(rewrite(bytes, header, name, layout, moved, FileSteps(output.budget()), patch));
   patch.finish();
   return Status::ok();
 }

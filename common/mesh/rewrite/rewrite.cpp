@@ -7,6 +7,7 @@
 #include "common/base/atomic_file.h"
 #include "common/base/check.h"
 #include "common/base/mapped_file.h"
+#include "common/mesh/heard_validate.h"
 #include "common/mesh/mesh_format.h"
 #include "common/mesh/mesh_io.h"
 #include "common/mesh/rewrite/format_rewriters.h"
@@ -59,22 +60,25 @@ Status rewrite_mesh(std::span<const uint8_t> original, MeshFormat format, const 
 
 static Status write_rewritten(std::span<const uint8_t> original, MeshFormat format,
                               const std::string& name, const MovedMesh& moved,
-                              const std::filesystem::path& path, PictureWork* pictures) {
-  RETURN_IF_ERROR(validate(moved.after).with_context("cannot write " + path.string()));
+                              const std::filesystem::path& path, PictureWork* pictures,
+                              const FileBudget& budget) {
+  RETURN_IF_ERROR(
+      validate(moved.after, FileSteps(budget)).with_context("cannot write " + path.string()));
   ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(path));
-  OutputBuffer output(file);
+  OutputBuffer output(file, budget);
   RETURN_IF_ERROR(rewrite_mesh(original, format, name, moved, output, pictures));
   return file.commit();
 }
 
 /// Packs a file as it is, alone.
 static Result<std::vector<uint8_t>> pack_alone(std::span<const uint8_t> file,
-                                               const OriginalFile& original) {
+                                               const OriginalFile& original,
+                                               const FileBudget& budget) {
   const std::string extension = extension_of(original.format);
   FileToPack packed = {original.name + extension, file};
   const bool is_name = packed.name.find('/') == std::string::npos && packed.name[0] != '.';
   if (!is_name || !check_entry_name(packed.name).is_ok()) packed.name = "scan" + extension;
-  return pack_archive({&packed, 1});
+  return pack_archive({&packed, 1}, budget);
 }
 
 /// Returns how a text has the doubles of a mesh: in the digits that its coordinates had.
@@ -87,30 +91,34 @@ static WrittenNumber doubles_in_text(const MovedMesh& moved) {
 
 /// Writers round to floats, or keep doubles. A text has no more digits than it had.
 static Status write_anew(const MovedMesh& moved, MeshFormat format,
-                         const std::filesystem::path& path) {
+                         const std::filesystem::path& path, const FileBudget& budget) {
   if (moved.after.has_double_positions && format == MeshFormat::kObj)
-    return write_mesh(WrittenMesh(moved, doubles_in_text(moved)).moved().after, path);
-  if (!(moved.cap > 0) || moved.after.has_double_positions) return write_mesh(moved.after, path);
+    return write_mesh(WrittenMesh(moved, doubles_in_text(moved)).moved().after, path, budget);
+  if (!(moved.cap > 0) || moved.after.has_double_positions)
+    return write_mesh(moved.after, path, budget);
   const WrittenNumber as_float = {
       .type = PlyType::kFloat32, .is_text = format == MeshFormat::kObj, .digits = {}};
-  return write_mesh(WrittenMesh(moved, as_float).moved().after, path);
+  return write_mesh(WrittenMesh(moved, as_float).moved().after, path, budget);
 }
 
 Status write_moved_mesh(const OriginalFile& original, const MovedMesh& moved,
-                        const std::filesystem::path& path, PictureWork* pictures) {
+                        const std::filesystem::path& path, PictureWork* pictures,
+                        const FileBudget& budget) try {
   ASSIGN_OR_RETURN(const MeshFormat format, mesh_format_of_path(path));
   ASSIGN_OR_RETURN(const WritePlan plan, plan_to_write(original, format));
   RETURN_IF_ERROR(check_one_file(plan));
-  if (plan.way == WriteWay::kConvert) return write_anew(moved, format, path);
+  if (plan.way == WriteWay::kConvert) return write_anew(moved, format, path, budget);
   ASSIGN_OR_RETURN(const MappedFile bytes, MappedFile::open(original.path));
   if (plan.way == WriteWay::kRewrite)
-    return write_rewritten(bytes.bytes(), format, original.name, moved, path, pictures);
+    return write_rewritten(bytes.bytes(), format, original.name, moved, path, pictures, budget);
   if (plan.way == WriteWay::kPack) {
-    ASSIGN_OR_RETURN(const auto archive, pack_alone(bytes.bytes(), original));
-    return write_rewritten(archive, format, original.name, moved, path, pictures);
+    ASSIGN_OR_RETURN(const auto archive, pack_alone(bytes.bytes(), original, budget));
+    return write_rewritten(archive, format, original.name, moved, path, pictures, budget);
   }
-  ASSIGN_OR_RETURN(const PackedMesh packed, PackedMesh::open(bytes.bytes(), original.name));
-  return write_rewritten(packed.bytes, format, packed.name, moved, path, pictures);
+  ASSIGN_OR_RETURN(const PackedMesh packed, PackedMesh::open(bytes.bytes(), original.name, budget));
+  return write_rewritten(packed.bytes, format, packed.name, moved, path, pictures, budget);
+} catch (const WorkCancelled&) {
+  return cancelled("writing was cancelled");
 }
 
 }  // namespace burnish

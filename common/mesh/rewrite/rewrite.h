@@ -29,14 +29,16 @@ struct OriginalFile {
 /// stay.
 ///
 /// Fails: data_loss if the mesh was not read from these bytes; as the sink does; as
-/// edit_pictures().
+/// edit_pictures(). Throws: WorkCancelled, as the output's budget says.
 Status rewrite_mesh(std::span<const uint8_t> original, MeshFormat format, const std::string& name,
                     const MovedMesh& moved, OutputBuffer& output, PictureWork* pictures = nullptr);
 
 /// Writes a moved mesh to `path` in the format of its extension, as plan_to_write() says. A failed
 /// write leaves the old file. Fails: as the plan does, or if it writes several files; as
-/// rewrite_mesh() and write_mesh() do, and as the original cannot be read.
+/// rewrite_mesh() and write_mesh() do, and as the original cannot be read; cancelled, as `budget`
+/// says.
 Status write_moved_mesh(const OriginalFile& original, const MovedMesh& moved,
-                        const std::filesystem::path& path, PictureWork* pictures = nullptr);
+                        const std::filesystem::path& path, PictureWork* pictures = nullptr,
+                        const FileBudget& budget = {});
 
 }  // namespace burnish

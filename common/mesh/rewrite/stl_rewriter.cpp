@@ -73,9 +73,9 @@ struct StlDigits {
 };
 
 /// Takes words that follow "vertex" and "normal" outside a solid too: they do no harm.
-StlDigits stl_digits_of(std::span<const uint8_t> bytes) {
+StlDigits stl_digits_of(std::span<const uint8_t> bytes, const FileSteps& steps) {
   StlDigits digits;
-  for (TextScanner scanner(bytes, ""); scanner.next_line();) {
+  for (TextScanner scanner(bytes, "", {}, 0, steps); scanner.next_line();) {
     const std::string keyword = next_stl_keyword(scanner);
     if (keyword == "vertex") add_words(next_position_words(scanner), digits.positions);
     if (keyword == "facet" && equals_ignoring_case(scanner.next_token(), "normal"))
@@ -89,7 +89,8 @@ class AsciiStlRewriter {
  public:
   AsciiStlRewriter(std::span<const uint8_t> bytes, const std::string& name,
                    const WrittenMesh& written, WrittenNumber normal_number, OutputBuffer& output)
-      : text_{TextScanner(bytes, name), BytePatch(bytes, output)},
+      : text_{TextScanner(bytes, name, {}, 0, FileSteps(output.budget())),
+              BytePatch(bytes, output)},
         name_(name),
         written_(written),
         normal_number_(std::move(normal_number)),
@@ -143,7 +144,7 @@ class AsciiStlRewriter {
 
 Status rewrite_text(std::span<const uint8_t> bytes, const std::string& name, const MovedMesh& moved,
                     OutputBuffer& output) {
-  const StlDigits digits = stl_digits_of(bytes);
+  const StlDigits digits = stl_digits_of(bytes, FileSteps(output.budget()));
   const WrittenMesh written(moved, WrittenNumber::of_text(moved, digits.positions));
   return AsciiStlRewriter(bytes, name, written, WrittenNumber::of_normals(digits.normals), output)
       .rewrite();

@@ -46,7 +46,7 @@ Status rewrite_packed_gltf(const PackedMesh& packed, const ArchiveFiles& beside,
 
 Status rewrite_packed(const PackedMesh& packed, const MovedMesh& moved, OutputBuffer& output,
                       ChangedEntries& changed, PictureWork* pictures) {
-  const ArchiveFiles beside(packed.archive);
+  const ArchiveFiles beside(packed.archive, output.budget());
   ASSIGN_OR_RETURN(
       auto edited,
       edit_pictures_of(
@@ -67,12 +67,14 @@ Status rewrite_packed(const PackedMesh& packed, const MovedMesh& moved, OutputBu
 /// bytes, so an archive whose mesh keeps its bytes is copied as it is.
 Status rewrite_zip(std::span<const uint8_t> bytes, const std::string& name, const MovedMesh& moved,
                    OutputBuffer& output, PictureWork* pictures) {
-  ASSIGN_OR_RETURN(const PackedMesh packed, PackedMesh::open(bytes, name));
+  ASSIGN_OR_RETURN(const PackedMesh packed, PackedMesh::open(bytes, name, output.budget()));
   std::vector<uint8_t> after;
-  OutputBuffer gathered([&](std::string_view piece) {
-    after.insert(after.end(), piece.begin(), piece.end());
-    return Status::ok();
-  });
+  OutputBuffer gathered(
+      [&](std::string_view piece) {
+        after.insert(after.end(), piece.begin(), piece.end());
+        return Status::ok();
+      },
+      output.budget());
   ChangedEntries changed;
   RETURN_IF_ERROR(rewrite_packed(packed, moved, gathered, changed, pictures));
   if (after != packed.bytes) changed.add(packed.mesh.entry, std::move(after));
@@ -80,7 +82,7 @@ Status rewrite_zip(std::span<const uint8_t> bytes, const std::string& name, cons
     output.put_text(as_view(bytes));
     return Status::ok();
   }
-  auto replaced = replace_entries(bytes, changed.entries());
+  auto replaced = replace_entries(bytes, changed.entries(), output.budget());
   if (!replaced.is_ok()) return replaced.status().with_context(name);
   output.put_text(as_view(*replaced));
   return Status::ok();

@@ -44,28 +44,31 @@ class PhaseTimes {
 /// Lets vertices that look alike at one place be one, so that a seam has no line and a soup is
 /// shaded as a surface. Returns how many vertices have lost their triangles.
 uint64_t join_vertices(const PagesInput& scan, std::span<Triangle> triangles,
-                       const ScratchSpace& space) {
+                       const ScratchSpace& space, const LoopPart& part) {
   MeshView mesh;
   mesh.vertices = scan.vertices;
   mesh.triangles = scan.triangles;
   mesh.colours = scan.colours;
-  const ScratchArray<uint32_t> least = least_that_agree(mesh, space);
+  const ScratchArray<uint32_t> least = least_that_agree(mesh, space, part);
   uint64_t joined = 0;
   for (uint32_t v = 0; v < least.size(); ++v) joined += least[v] != v;
   if (joined > 0)
-    for (Triangle& triangle : triangles)
-      for (uint32_t& vertex : triangle) vertex = least[vertex];
+    for_each_heard(part, triangles.size(), [&](size_t t) {
+      for (uint32_t& vertex : triangles[t]) vertex = least[vertex];
+    });
   return joined;
 }
 
-Level make_level_0(const PagesInput& scan, const ScratchSpace& space) {
+Level make_level_0(const PagesInput& scan, const ScratchSpace& space, const LoopPart& part) {
   Level level;
   level.triangles = copy_to(space, scan.triangles);
   const uint64_t joined =
-      join_vertices(scan, {level.triangles.data(), level.triangles.size()}, space);
+      join_vertices(scan, {level.triangles.data(), level.triangles.size()}, space, part);
   size_t kept = 0;
-  for (const Triangle& t : level.triangles)
+  for_each_heard(part, level.triangles.size(), [&](size_t i) {
+    const Triangle t = level.triangles[i];
     if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) level.triangles[kept++] = t;
+  });
   level.triangles.truncate(kept);
   const auto referenced =
       static_cast<double>(scan.statistics.vertices - scan.statistics.unreferenced_vertices) -
@@ -104,10 +107,10 @@ class PagesBuilder {
       : scan_(scan), space_(space), progress_(progress), report_(report), times_(report) {}
 
   Status build(PageFileWriter& file) {
-    vertices_ = place_vertices(scan_, space_);
+    vertices_ = place_vertices(scan_, space_, part());
     times_.end("vertices");
     LevelWriter writer(file, vertices_, attributes_);
-    for (Level level = make_level_0(scan_, space_); !level.triangles.empty();) {
+    for (Level level = make_level_0(scan_, space_, part()); !level.triangles.empty();) {
       ASSIGN_OR_RETURN(level, make_level(level, file, writer));
     }
     const Status status = file.finish();
@@ -120,13 +123,13 @@ class PagesBuilder {
   Result<Level> make_level(const Level& level, PageFileWriter& file, LevelWriter& writer) {
     const PageGroups pages = cut_pages({level.triangles, vertices_.positions, vertices_.grid.bits,
                                         level.number, level.vertices_per_triangle},
-                                       space_);
+                                       space_, part());
     const CutLevel cut = {level.triangles, vertices_.joined, pages};
-    const ScratchArray<uint8_t> shared = find_shared_vertices(cut, space_);
+    const ScratchArray<uint8_t> shared = find_shared_vertices(cut, space_, part());
     report_.levels.push_back({level.triangles.size(), pages.count()});
     times_.end("cutting");
     if (level.number == 0) {
-      attributes_ = make_scan_attributes(scan_, cut, shared, space_);
+      attributes_ = make_scan_attributes(scan_, cut, shared, space_, part());
       times_.end("normals");
     }
     Replacements replacements(space_);
@@ -144,6 +147,9 @@ class PagesBuilder {
     times_.end("writing");
     return make_coarser(level, report, replacements, first_page, space_);
   }
+
+  // Work between the pages.
+  LoopPart part() const { return {progress_, "pages", std::min(done_, 1.0), std::min(done_, 1.0)}; }
 
   // All levels together have about twice the triangles of the scan.
   PageWork work(double share) {
@@ -180,6 +186,8 @@ Status build_pages(const PagesInput& scan, const std::filesystem::path& path,
                               scan.vertices.size(), scan.triangles.size()};
   ASSIGN_OR_RETURN(PageFileWriter file, PageFileWriter::create(path, described));
   return builder.build(file);
+} catch (const WorkCancelled&) {
+  return cancelled("cancelled while making pages");
 } catch (const ScratchFull& full) {
   return resource_exhausted("making pages of a scan of " + std::to_string(scan.triangles.size()) +
                             " triangles: " + full.what());

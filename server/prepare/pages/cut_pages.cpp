@@ -35,15 +35,17 @@ std::vector<uint64_t> page_starts(std::span<const uint8_t> is_start) {
 
 }  // namespace
 
-PageGroups cut_pages(const LevelToCut& level, const ScratchSpace& space) {
-  TriangleRuns runs = make_triangle_runs(level, space);
+PageGroups cut_pages(const LevelToCut& level, const ScratchSpace& space, const LoopPart& part) {
+  TriangleRuns runs = make_triangle_runs(level, space, part);
   ScratchArray<uint8_t> is_start(space, level.triangles.size());
+  LoopProgress loop(part.progress, part.phase, part.begin, part.end);
   const KdCut cut(rule_of(level), {runs.centres.data(), runs.centres.size()},
-                  {is_start.data(), is_start.size()});
+                  {is_start.data(), is_start.size()}, loop);
 #pragma omp parallel
 #pragma omp single
   for (size_t run = 0; run + 1 < runs.starts.size(); ++run)
     cut.split(runs.starts[run], runs.starts[run + 1]);
+  leave_if_cancelled(loop);
 
   PageGroups pages;
   pages.start = page_starts(is_start);

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "common/base/heard_loop.h"
 #include "common/base/scratch_array.h"
 #include "common/base/types.h"
 
@@ -31,7 +32,8 @@ struct LevelToCut {
 /// Cuts a level into pages of at most kPageVerticesMax vertices and kPageTrianglesMax triangles.
 /// Triangles are first dealt into runs of a Morton curve, then each run is halved again and again
 /// across the longest side of its box. Pages come in this order; the triangles of a page rise.
-/// Deterministic: the same groups for any number of threads.
-PageGroups cut_pages(const LevelToCut& level, const ScratchSpace& space);
+/// Deterministic: the same groups for any number of threads. Throws: WorkCancelled.
+PageGroups cut_pages(const LevelToCut& level, const ScratchSpace& space,
+                     const LoopPart& part = kUnheardLoop);
 
 }  // namespace burnish

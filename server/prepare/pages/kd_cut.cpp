@@ -50,6 +50,7 @@ size_t KdCut::size_of_first_part(size_t size) const {
 }
 
 void KdCut::split(size_t begin, size_t end) const {
+  if (!loop_.goes_on(0)) return;
   const std::span<TriangleCentre> piece = centres_.subspan(begin, end - begin);
   if (fits_page(piece)) {
     std::ranges::sort(piece, {}, &TriangleCentre::triangle);

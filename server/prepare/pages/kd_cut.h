@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "common/base/loop_progress.h"
 #include "server/prepare/pages/triangle_runs.h"
 
 namespace burnish {
@@ -17,9 +18,11 @@ struct KdRule {
 /// Cuts pieces of a level in two until each fits a page.
 class KdCut {
  public:
-  /// Marks the first triangle of each page in `is_start`. Shapes: as many as centres.
-  KdCut(const KdRule& rule, std::span<TriangleCentre> centres, std::span<uint8_t> is_start)
-      : rule_(rule), centres_(centres), is_start_(is_start) {}
+  /// Marks the first triangle of each page in `is_start`. Shapes: as many as centres. Needs: `loop`
+  /// outlives the cutting, which ends when it is cancelled.
+  KdCut(const KdRule& rule, std::span<TriangleCentre> centres, std::span<uint8_t> is_start,
+        LoopProgress& loop)
+      : rule_(rule), centres_(centres), is_start_(is_start), loop_(loop) {}
 
   /// Orders the centres from `begin` to `end` by page. Hands large parts to the threads of the
   /// surrounding parallel region, and returns before they are done.
@@ -32,6 +35,7 @@ class KdCut {
   KdRule rule_;
   std::span<TriangleCentre> centres_;
   std::span<uint8_t> is_start_;
+  LoopProgress& loop_;
 };
 
 }  // namespace burnish

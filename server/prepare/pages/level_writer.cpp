@@ -27,7 +27,7 @@ Status LevelWriter::write(const LevelToDraw& level, const Replacements& replacem
     return append(drawn, bounds_of(drawn, replacements, page), report);
   };
   RETURN_IF_ERROR(work.run(pages, make, take));
-  sums.set_shared(attributes_);
+  sums.set_shared(attributes_, work.end());
   return Status::ok();
 }
 

@@ -33,33 +33,37 @@ bool is_before(const Vec3i& a, const Vec3i& b) {
 
 // Sorts vertices by the hash of their place, then by place, then by number.
 ScratchArray<HashedVertex> sort_by_place(std::span<const Vec3i> positions,
-                                         const ScratchSpace& space) {
+                                         const ScratchSpace& space, const LoopPart& part) {
   ScratchArray<HashedVertex> sorted(space, positions.size()), spare(space, positions.size());
-#pragma omp parallel for schedule(static)
-  for (size_t v = 0; v < sorted.size(); ++v)
+  parallel_for_heard(part, sorted.size(), [&](size_t v) {
     sorted[v] = {hash_of(positions[v]), static_cast<uint32_t>(v)};
+  });
   radix_sort(std::span(sorted.data(), sorted.size()), std::span(spare.data(), spare.size()),
-             std::mem_fn(&HashedVertex::hash));
+             std::mem_fn(&HashedVertex::hash), part);
+  const auto is_earlier = [&](const HashedVertex& a, const HashedVertex& b) {
+    const Vec3i &p = positions[a.vertex], &q = positions[b.vertex];
+    return p != q ? is_before(p, q) : a.vertex < b.vertex;
+  };
   // Different places of one hash are rare.
-  for (size_t begin = 0, end = 0; begin < sorted.size(); begin = end) {
-    while (end < sorted.size() && sorted[end].hash == sorted[begin].hash) ++end;
-    std::stable_sort(sorted.begin() + begin, sorted.begin() + end,
-                     [&](const HashedVertex& a, const HashedVertex& b) {
-                       return is_before(positions[a.vertex], positions[b.vertex]);
-                     });
-  }
+  size_t begin = 0;
+  for_each_heard(part, sorted.size(), [&](size_t i) {
+    if (i + 1 < sorted.size() && sorted[i + 1].hash == sorted[begin].hash) return;
+    sort_heard(part, sorted.begin() + begin, sorted.begin() + i + 1, is_earlier);
+    begin = i + 1;
+  });
   return sorted;
 }
 
-ScratchArray<uint32_t> join_places(std::span<const Vec3i> positions, const ScratchSpace& space) {
-  const ScratchArray<HashedVertex> sorted = sort_by_place(positions, space);
+ScratchArray<uint32_t> join_places(std::span<const Vec3i> positions, const ScratchSpace& space,
+                                   const LoopPart& part) {
+  const ScratchArray<HashedVertex> sorted = sort_by_place(positions, space, part);
   ScratchArray<uint32_t> joined(space, positions.size());
   uint32_t first = 0;
-  for (const HashedVertex& hashed : sorted) {
-    if (positions[hashed.vertex] != positions[first] || &hashed == &sorted[0])
-      first = hashed.vertex;
-    joined[hashed.vertex] = first;
-  }
+  for_each_heard(part, sorted.size(), [&](size_t i) {
+    const uint32_t vertex = sorted[i].vertex;
+    if (positions[vertex] != positions[first] || i == 0) first = vertex;
+    joined[vertex] = first;
+  });
   return joined;
 }
 
@@ -86,24 +90,25 @@ PageGrid choose_page_grid(const MeshStatistics& statistics) {
   return grid;
 }
 
-GridPlaces place_on_grid(const PagesInput& scan, const PageGrid& grid, const ScratchSpace& space) {
+GridPlaces place_on_grid(const PagesInput& scan, const PageGrid& grid, const ScratchSpace& space,
+                         const LoopPart& part) {
   GridPlaces places;
   places.positions = ScratchArray<Vec3i>(space, scan.vertices.size());
   places.below = ScratchArray<uint8_t>(space, scan.vertices.size());
-  const ScratchArray<PlaneSides> sides = find_plane_sides(scan, grid, space);
-#pragma omp parallel for schedule(static)
-  for (size_t v = 0; v < scan.vertices.size(); ++v) {
+  const ScratchArray<PlaneSides> sides = find_plane_sides(scan, grid, space, part);
+  parallel_for_heard(part, scan.vertices.size(), [&](size_t v) {
     places.positions[v] = place_vertex(scan.vertices[v], sides[v], grid);
     places.below[v] = sides[v].on & sides[v].below;
-  }
+  });
   return places;
 }
 
-PageVertices place_vertices(const PagesInput& scan, const ScratchSpace& space) {
+PageVertices place_vertices(const PagesInput& scan, const ScratchSpace& space,
+                            const LoopPart& part) {
   PageVertices placed;
   placed.grid = choose_page_grid(scan.statistics);
-  placed.positions = place_on_grid(scan, placed.grid, space).positions;
-  placed.joined = join_places(placed.positions, space);
+  placed.positions = place_on_grid(scan, placed.grid, space, part).positions;
+  placed.joined = join_places(placed.positions, space, part);
   return placed;
 }
 

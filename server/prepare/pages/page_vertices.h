@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "common/base/heard_loop.h"
 #include "common/base/scratch_array.h"
 #include "common/base/types.h"
 #include "common/mesh/statistics.h"
@@ -40,11 +41,14 @@ struct GridPlaces {
 };
 
 /// Rounds every vertex as place_vertices() does. The statistics are not read.
-GridPlaces place_on_grid(const PagesInput& scan, const PageGrid& grid, const ScratchSpace& space);
+/// Throws: WorkCancelled.
+GridPlaces place_on_grid(const PagesInput& scan, const PageGrid& grid, const ScratchSpace& space,
+                         const LoopPart& part = kUnheardLoop);
 
 /// Rounds every vertex down to a step. A vertex on a plane between cells goes to the side on which
 /// its triangles lie, so that its cell holds surface at every depth.
-/// Deterministic: the same bits for any number of threads.
-PageVertices place_vertices(const PagesInput& scan, const ScratchSpace& space);
+/// Deterministic: the same bits for any number of threads. Throws: WorkCancelled.
+PageVertices place_vertices(const PagesInput& scan, const ScratchSpace& space,
+                            const LoopPart& part = kUnheardLoop);
 
 }  // namespace burnish

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "common/base/heard_loop.h"
 #include "common/base/parallel.h"
 #include "common/base/progress.h"
 #include "common/base/status.h"
 
 namespace burnish {
 
-/// Runs work on many pages by all threads, and looks at the cancel flag between batches of pages.
+/// Runs work on many pages by all threads, and hears a cancel between two pages of a thread.
 class PageWork {
  public:
   static constexpr size_t kPagesPerBatch = 256;
@@ -22,18 +23,27 @@ class PageWork {
   /// Fails: cancelled; what `take` says. Throws: what `make` throws.
   template <typename Make, typename Take>
   Status run(size_t pages, Make&& make, Take&& take) const {
+    LoopProgress loop(progress_, "pages", done_, done_at_end_);
     for (size_t begin = 0; begin < pages; begin += kPagesPerBatch) {
       const size_t end = std::min(pages, begin + kPagesPerBatch);
+      const double part = static_cast<double>(begin) / static_cast<double>(pages);
       ParallelFailure failure;
 #pragma omp parallel for schedule(dynamic)
-      for (size_t page = begin; page < end; ++page) failure.run([&] { make(page); });
+      for (size_t page = begin; page < end; ++page)
+        if (loop.goes_on(part)) failure.run([&] { make(page); });
       failure.rethrow();
+      if (loop.is_cancelled()) return cancelled("cancelled while making pages");
       for (size_t page = begin; page < end; ++page) RETURN_IF_ERROR(take(page));
-      const double part = static_cast<double>(end) / static_cast<double>(pages);
-      if (!report(progress_, "pages", done_ + (done_at_end_ - done_) * part))
+      const double done = static_cast<double>(end) / static_cast<double>(pages);
+      if (!report(progress_, "pages", done_ + (done_at_end_ - done_) * done))
         return cancelled("cancelled while making pages");
     }
     return Status::ok();
+  }
+
+  /// Returns the part for work behind the pages.
+  LoopPart end() const {
+    return {progress_, "pages", done_at_end_, done_at_end_};
   }
 
   template <typename Make>

@@ -49,17 +49,16 @@ uint16_t sides_of(const Vec3d& place, uint16_t planes, const Vec3d& other) {
 }  // namespace
 
 ScratchArray<PlaneSides> find_plane_sides(const PagesInput& scan, const PageGrid& grid,
-                                          const ScratchSpace& space) {
+                                          const ScratchSpace& space, const LoopPart& part) {
   // A vertex without triangles may lie anywhere outside.
   const auto place = [&](uint32_t v) -> Vec3d {
     const Vec3d inside = (scan.vertices[v] - grid.origin) / grid.side;
     return inside.cwiseMax(0.0).cwiseMin(1.0) * kCellsPerSide;
   };
   ScratchArray<uint16_t> bits(space, scan.vertices.size());
-#pragma omp parallel for schedule(static)
-  for (size_t v = 0; v < bits.size(); ++v) bits[v] = planes_of(place(static_cast<uint32_t>(v)));
-#pragma omp parallel for schedule(static)
-  for (size_t t = 0; t < scan.triangles.size(); ++t)
+  parallel_for_heard(part, bits.size(),
+                     [&](size_t v) { bits[v] = planes_of(place(static_cast<uint32_t>(v))); });
+  parallel_for_heard(part, scan.triangles.size(), [&](size_t t) {
     for (const uint32_t v : scan.triangles[t]) {
       const uint16_t planes = std::atomic_ref(bits[v]).load(std::memory_order_relaxed) & 7;
       if (planes == 0) continue;
@@ -67,11 +66,12 @@ ScratchArray<PlaneSides> find_plane_sides(const PagesInput& scan, const PageGrid
         std::atomic_ref(bits[v]).fetch_or(sides_of(place(v), planes, place(other)),
                                           std::memory_order_relaxed);
     }
+  });
   ScratchArray<PlaneSides> sides(space, bits.size());
-  for (size_t v = 0; v < bits.size(); ++v) {
+  for_each_heard(part, bits.size(), [&](size_t v) {
     const uint16_t below = bits[v] >> kBelow & ~(bits[v] >> kAbove) & 7;
     sides[v] = {static_cast<uint8_t>(bits[v] & 7), static_cast<uint8_t>(below)};
-  }
+  });
   return sides;
 }
 

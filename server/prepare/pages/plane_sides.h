@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "common/base/heard_loop.h"
 #include "common/base/scratch_array.h"
 #include "server/prepare/pages/page_vertices.h"
 
@@ -16,8 +17,8 @@ struct PlaneSides {
 };
 
 /// Finds the planes of every vertex. A vertex so near a plane that snap_to_planes() puts it there
-/// lies on it.
+/// lies on it. Throws: WorkCancelled.
 ScratchArray<PlaneSides> find_plane_sides(const PagesInput& scan, const PageGrid& grid,
-                                          const ScratchSpace& space);
+                                          const ScratchSpace& space, const LoopPart& part);
 
 }  // namespace burnish

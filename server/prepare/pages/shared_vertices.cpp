@@ -22,14 +22,19 @@ void note(uint32_t page, uint32_t& owner_of_vertex) {
 
 }  // namespace
 
-ScratchArray<uint8_t> find_shared_vertices(const CutLevel& level, const ScratchSpace& space) {
+ScratchArray<uint8_t> find_shared_vertices(const CutLevel& level, const ScratchSpace& space,
+                                           const LoopPart& part) {
   ScratchArray<uint32_t> owner(space, level.joined.size());
   std::ranges::fill(owner, kNoOwner);
+  LoopProgress loop(part.progress, part.phase, part.begin, part.end);
 #pragma omp parallel for schedule(dynamic, 16)
-  for (size_t page = 0; page < level.pages.count(); ++page)
+  for (size_t page = 0; page < level.pages.count(); ++page) {
+    if (!loop.goes_on(0)) continue;
     for (const uint32_t t : level.pages[page])
       for (const uint32_t v : level.triangles[t])
         note(static_cast<uint32_t>(page), owner[level.joined[v]]);
+  }
+  leave_if_cancelled(loop);
   ScratchArray<uint8_t> shared(space, owner.size());
 #pragma omp parallel for schedule(static)
   for (size_t v = 0; v < owner.size(); ++v) shared[v] = owner[v] == kSeveral;

@@ -14,7 +14,9 @@ struct CutLevel {
 };
 
 /// Per joined vertex of the scan 1 if several pages of the level have it, else 0. Simplification
-/// keeps such vertices where they are: so pages are replaced one by one without a crack.
-ScratchArray<uint8_t> find_shared_vertices(const CutLevel& level, const ScratchSpace& space);
+/// keeps such vertices where they are: so pages are replaced one by one without a crack. Throws:
+/// WorkCancelled.
+ScratchArray<uint8_t> find_shared_vertices(const CutLevel& level, const ScratchSpace& space,
+                                           const LoopPart& part = kUnheardLoop);
 
 }  // namespace burnish

@@ -39,7 +39,8 @@ class BucketCurve {
 
 }  // namespace
 
-TriangleRuns make_triangle_runs(const LevelToCut& level, const ScratchSpace& space) {
+TriangleRuns make_triangle_runs(const LevelToCut& level, const ScratchSpace& space,
+                                const LoopPart& part) {
   const size_t count = level.triangles.size();
   TriangleRuns runs;
   runs.centres = ScratchArray<TriangleCentre>(space, count);
@@ -53,17 +54,18 @@ TriangleRuns make_triangle_runs(const LevelToCut& level, const ScratchSpace& spa
 
   const BucketCurve curve(level);
   ScratchArray<uint16_t> bucket(space, count);
-#pragma omp parallel for schedule(static)
-  for (size_t t = 0; t < count; ++t)
+  parallel_for_heard(part, count, [&](size_t t) {
     bucket[t] = static_cast<uint16_t>(curve.bucket_of(centre_of(level, t)));
+  });
   std::vector<uint64_t> next(BucketCurve::kBuckets + 1);
-  for (const uint16_t b : bucket) ++next[b + 1];
+  for_each_heard(part, count, [&](size_t t) { ++next[bucket[t] + 1]; });
   for (size_t b = 0; b < BucketCurve::kBuckets; ++b) {
     next[b + 1] += next[b];
     if (next[b + 1] - runs.starts.back() >= kTrianglesPerRun || next[b + 1] == count)
       if (runs.starts.back() != next[b + 1]) runs.starts.push_back(next[b + 1]);
   }
-  for (size_t t = 0; t < count; ++t) runs.centres[next[bucket[t]]++] = centre_of(level, t);
+  for_each_heard(part, count,
+                 [&](size_t t) { runs.centres[next[bucket[t]]++] = centre_of(level, t); });
   return runs;
 }
 

@@ -22,8 +22,9 @@ struct TriangleRuns {
 
 /// Deals triangles into runs of some kTrianglesPerRun along a Morton curve. The curve is shifted
 /// from level to level. A run is what a machine with little memory must hold at once.
-/// Deterministic: the same runs for any number of threads.
-TriangleRuns make_triangle_runs(const LevelToCut& level, const ScratchSpace& space);
+/// Deterministic: the same runs for any number of threads. Throws: WorkCancelled.
+TriangleRuns make_triangle_runs(const LevelToCut& level, const ScratchSpace& space,
+                                const LoopPart& part);
 
 inline constexpr size_t kTrianglesPerRun = 1 << 18;
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "common/base/limits.h"
 #include "common/mesh/corner_normals.h"
@@ -71,26 +72,28 @@ PageSums sum_scan_normals(std::span<const Vec3d> vertices, const CutLevel& level
 }  // namespace
 
 VertexAttributes make_scan_attributes(const PagesInput& scan, const CutLevel& level,
-                                      std::span<const uint8_t> shared, const ScratchSpace& space) {
+                                      std::span<const uint8_t> shared, const ScratchSpace& space,
+                                      const LoopPart& part) {
   VertexAttributes attributes;
   attributes.normals = ScratchArray<Vec3f>(space, scan.vertices.size());
   std::ranges::fill(attributes.normals, Vec3f::UnitZ());
   attributes.colours = copy_to(space, scan.colours);
   AttributeSums sums(shared, level.joined, space);
   std::vector<PageSums> of_batch(PageWork::kPagesPerBatch);
-  const Status status = PageWork({}, 0, 0).run(
-      level.pages.count(),
-      [&](size_t page) {
-        PageSums& made = of_batch[page % of_batch.size()];
-        made = sum_scan_normals(scan.vertices, level, page);
-        sums.set_own(made, attributes);
-      },
-      [&](size_t page) {
-        sums.keep_shared(of_batch[page % of_batch.size()]);
-        return Status::ok();
-      });
-  BURNISH_CHECK(status.is_ok(), "nobody cancels");
-  sums.set_shared(attributes);
+  const Status status = PageWork(part.progress, part.begin, part.end)
+                            .run(
+                                level.pages.count(),
+                                [&](size_t page) {
+                                  PageSums& made = of_batch[page % of_batch.size()];
+                                  made = sum_scan_normals(scan.vertices, level, page);
+                                  sums.set_own(made, attributes);
+                                },
+                                [&](size_t page) {
+                                  sums.keep_shared(of_batch[page % of_batch.size()]);
+                                  return Status::ok();
+                                });
+  if (!status.is_ok()) leave_cancelled_work();
+  sums.set_shared(attributes, part);
   return attributes;
 }
 
@@ -118,17 +121,17 @@ void AttributeSums::keep_shared(const PageSums& sums) {
     if (is_shared(sums.vertices[i])) of_shared_.push_back({sums.vertices[i], sums.sums[i]});
 }
 
-void AttributeSums::set_shared(VertexAttributes& attributes) const {
+void AttributeSums::set_shared(VertexAttributes& attributes, const LoopPart& part) const {
   ScratchArray<SharedPlace> order(space_, of_shared_.size()), spare(space_, of_shared_.size());
   for (size_t i = 0; i < order.size(); ++i) order[i] = {of_shared_[i].vertex, i};
   radix_sort(std::span(order.data(), order.size()), std::span(spare.data(), spare.size()),
-             std::mem_fn(&SharedPlace::vertex));
-  for (size_t begin = 0, end = 0; begin < order.size(); begin = end) {
-    AttributeSum total;
-    for (; end < order.size() && order[end].vertex == order[begin].vertex; ++end)
-      add(of_shared_[order[end].place].sum, total);
-    set(order[begin].vertex, total, attributes);
-  }
+             std::mem_fn(&SharedPlace::vertex), part);
+  AttributeSum total;
+  for_each_heard(part, order.size(), [&](size_t i) {
+    add(of_shared_[order[i].place].sum, total);
+    if (i + 1 < order.size() && order[i + 1].vertex == order[i].vertex) return;
+    set(order[i].vertex, std::exchange(total, {}), attributes);
+  });
 }
 
 }  // namespace burnish

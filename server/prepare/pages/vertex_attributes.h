@@ -31,9 +31,10 @@ struct PageSums {
 
 /// Takes the scan's own colours, and means its triangles' normals by their angles at each vertex.
 /// A vertex whose triangles have no area or cancel out gets the normal +z.
-/// `shared` is find_shared_vertices() of level 0.
+/// `shared` is find_shared_vertices() of level 0. Throws: WorkCancelled.
 VertexAttributes make_scan_attributes(const PagesInput& scan, const CutLevel& level,
-                                      std::span<const uint8_t> shared, const ScratchSpace& space);
+                                      std::span<const uint8_t> shared, const ScratchSpace& space,
+                                      const LoopPart& part);
 
 /// Sums what one page of a level says of the next level's vertices, which are joined: the means of
 /// its triangles' corners, weighted by area. So a coarse surface is shaded as the mean of the fine
@@ -55,8 +56,9 @@ class AttributeSums {
   /// Keeps the sums of vertices of several pages. Call it in the order of pages.
   void keep_shared(const PageSums& sums);
 
-  /// Sets the vertices of several pages. The order of pages decides how sums round.
-  void set_shared(VertexAttributes& attributes) const;
+  /// Sets the vertices of several pages. The order of pages decides how sums round. Throws:
+  /// WorkCancelled.
+  void set_shared(VertexAttributes& attributes, const LoopPart& part) const;
 
  private:
   struct SharedSum {

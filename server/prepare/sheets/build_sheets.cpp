@@ -52,8 +52,8 @@ class SheetsBuilder {
     report_.picture_seconds = seconds_since(start);
     if (pictures.count == 0) return false;
     RETURN_IF_ERROR(need_.ask_for_pages(std::min<size_t>(kPagesPerBatch, head().page_count())));
-    ask_before(loop_);
-    const TriangleFinder finder(scan_.surface.mesh, head().grid, options_.space);
+    const TriangleFinder finder(scan_.surface.mesh, head().grid, options_.space,
+                                {progress_, "sheets", 0, 0});
     const PageMaker maker(scan_, pictures.tiles, finder);
     const SheetOrigin origin = {pages_fingerprint(scan_.pages.head_bytes()), pictures.fingerprint};
     ASSIGN_OR_RETURN(SheetFileWriter file, SheetFileWriter::create(path_, origin));

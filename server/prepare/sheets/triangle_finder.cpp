@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/base/parallel.h"
 #include "common/mesh/statistics.h"
 #include "server/prepare/pages/page_vertices.h"
 #include "server/prepare/radix_sort.h"
@@ -44,33 +43,33 @@ std::optional<int> turn_between(const std::array<Vec3i, 3>& from, const std::arr
 }  // namespace
 
 TriangleFinder::TriangleFinder(const MeshView& mesh, const PageGrid& grid,
-                               const ScratchSpace& space)
+                               const ScratchSpace& space, const LoopPart& part)
     : triangles_(mesh.triangles), sorted_(space, mesh.triangles.size()) {
   const MeshStatistics unread;
-  GridPlaces placed = place_on_grid({mesh.vertices, mesh.triangles, {}, unread}, grid, space);
+  GridPlaces placed = place_on_grid({mesh.vertices, mesh.triangles, {}, unread}, grid, space, part);
   places_ = std::move(placed.positions);
-  raise_places({placed.below.data(), placed.below.size()});
-#pragma omp parallel for schedule(static)
-  for (size_t t = 0; t < triangles_.size(); ++t) {
+  raise_places({placed.below.data(), placed.below.size()}, part);
+  parallel_for_heard(part, triangles_.size(), [&](size_t t) {
     const auto triangle = static_cast<uint32_t>(t);
     sorted_[t] = {hash_of(places_of(triangle)), triangle};
-  }
+  });
   ScratchArray<Entry> spare(space, sorted_.size());
-  radix_sort(std::span(sorted_.data(), sorted_.size()), std::span(spare.data(), spare.size()),
-             [](const Entry& entry) { return entry.hash; });
+  radix_sort(
+      std::span(sorted_.data(), sorted_.size()), std::span(spare.data(), spare.size()),
+      [](const Entry& entry) { return entry.hash; }, part);
 }
 
-void TriangleFinder::raise_places(std::span<const uint8_t> below) {
-  for (size_t v = 0; v < below.size(); ++v) {
-    if (below[v] == 0) continue;
+void TriangleFinder::raise_places(std::span<const uint8_t> below, const LoopPart& part) {
+  for_each_heard(part, below.size(), [&](size_t v) {
+    if (below[v] == 0) return;
     const Vec3i place = places_[v];
     for (int axis = 0; axis < 3; ++axis) places_[v][axis] += below[v] >> axis & 1;
     raised_.push_back({place, places_[v]});
-  }
+  });
   const auto is_before = [](const Raised& a, const Raised& b) {
     return a.below != b.below ? is_lower(a.below, b.below) : is_lower(a.above, b.above);
   };
-  parallel_sort(raised_.begin(), raised_.end(), is_before);
+  sort_heard(part, raised_.begin(), raised_.end(), is_before);
   const auto rest = std::ranges::unique(raised_, [](const Raised& a, const Raised& b) {
     return a.below == b.below && a.above == b.above;
   });

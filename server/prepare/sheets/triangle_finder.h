@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "common/base/heard_loop.h"
 #include "common/base/scratch_array.h"
 #include "common/base/types.h"
 #include "common/mesh/triangle_mesh.h"
@@ -27,8 +28,9 @@ struct FoundTriangle {
 /// later.
 class TriangleFinder {
  public:
-  /// Needs: a valid mesh, which outlives this; the grid of its pages.
-  TriangleFinder(const MeshView& mesh, const PageGrid& grid, const ScratchSpace& space);
+  /// Needs: a valid mesh, which outlives this; the grid of its pages. Throws: WorkCancelled.
+  TriangleFinder(const MeshView& mesh, const PageGrid& grid, const ScratchSpace& space,
+                 const LoopPart& part = kUnheardLoop);
 
   /// Returns the first triangle with these places, if there is one. Threads may call it at the same
   /// time.
@@ -44,7 +46,7 @@ class TriangleFinder {
     Vec3i below;
     Vec3i above;
   };
-  void raise_places(std::span<const uint8_t> below);
+  void raise_places(std::span<const uint8_t> below, const LoopPart& part);
   std::span<const Raised> raised(const Vec3i& place) const;
   std::array<Vec3i, 3> places_of(uint32_t triangle) const;
   std::optional<FoundTriangle> find_raised(const std::array<Vec3i, 3>& places) const;

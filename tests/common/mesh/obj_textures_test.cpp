@@ -138,7 +138,7 @@ TEST(ObjFiles, FoundAndMissingFilesAreListedOnce) {
   beside.files["square.mtl"] += "map_Ks gone.png\nbump gone.png\nnewmtl b\nmap_Kd skin.png\n";
   const std::string obj = "mtllib square.mtl none.mtl\n" + kSquareObj;
   const auto files = find_obj_files({reinterpret_cast<const uint8_t*>(obj.data()), obj.size()},
-                                    "square.obj", beside);
+                                    {&beside, "square.obj"});
   EXPECT_THAT(files.value().found, ElementsAre("square.mtl", "skin.png"));
   EXPECT_THAT(files.value().missing, ElementsAre("gone.png", "none.mtl"));
 }

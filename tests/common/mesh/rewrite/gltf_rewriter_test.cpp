@@ -322,7 +322,7 @@ TEST(GltfRewriter, FilesBesideATextAreReturnedWhereTheyChanged) {
   });
   std::vector<GltfFileBeside> changed;
   ASSERT_TRUE(
-      rewrite_gltf(span_of(text), "scan", beside, {before, after}, output, changed).is_ok());
+      rewrite_gltf(span_of(text), "scan", beside, {before, after}, {}, output, changed).is_ok());
   ASSERT_TRUE(output.flush().is_ok());
   ASSERT_EQ(changed.size(), 1u);
   EXPECT_EQ(changed[0].path, "a.bin");
@@ -338,10 +338,11 @@ TEST(GltfRewriter, AnotherFileIsDataLoss) {
   OutputBuffer output([](std::string_view) { return Status::ok(); });
   std::vector<GltfFileBeside> none;
   const auto bytes = std::span(reinterpret_cast<const uint8_t*>(content.data()), content.size());
-  EXPECT_EQ(rewrite_gltf(bytes, "scan", nullptr, {before, after}, output, none).code(),
+  EXPECT_EQ(rewrite_gltf(bytes, "scan", nullptr, {before, after}, {}, output, none).code(),
             StatusCode::kDataLoss);
-  EXPECT_EQ(rewrite_gltf(bytes.first(90), "scan", nullptr, {before, after}, output, none).code(),
-            StatusCode::kDataLoss);
+  EXPECT_EQ(
+      rewrite_gltf(bytes.first(90), "scan", nullptr, {before, after}, {}, output, none).code(),
+      StatusCode::kDataLoss);
 }
 
 }  // namespace

@@ -332,6 +332,24 @@ TEST_F(BuildPages, CancellingLeavesNoFile) {
   EXPECT_EQ(folder_.file_count(), 0u);
 }
 
+// The scan's vertices meet, so that all loops run.
+TEST_F(BuildPages, CanBeCancelledWheneverItReportsAndEachOfItsLoopsDoes) {
+  constexpr int kLoops = 30;
+  const TriangleMesh scan = as_soup(scan_of_kind("blob", 6'000));
+  for (int until = 1;; ++until) {
+    int left = until;
+    const Status status = build_pages_of(scan, folder_ / "scan.pages", {},
+                                         [&](std::string_view, double) { return --left > 0; });
+    if (left > 0) {  // there were fewer reports: loops also report by the clock
+      EXPECT_TRUE(status.is_ok()) << status.message();
+      EXPECT_GT(until, kLoops);
+      break;
+    }
+    ASSERT_EQ(status.code(), StatusCode::kCancelled) << until;
+    EXPECT_EQ(left, 0) << "went on after report " << until;
+  }
+}
+
 class NoBudget : public PreparationBudget {
  public:
   uint64_t memory_bytes_max() const override { return 5; }

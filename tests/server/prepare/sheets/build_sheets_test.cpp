@@ -160,6 +160,19 @@ TEST_F(BuildSheets, CanBeCancelledInEachPhase) {
   }
 }
 
+TEST_F(BuildSheets, CanBeCancelledInEachLoopBeforeItsPages) {
+  constexpr int kLoops = 10;  // of the finder of triangles
+  for (int until = 1; until <= kLoops; ++until) {
+    int left = until;
+    const Progress progress = [&](std::string_view phase, double) {
+      return phase != "sheets" || --left > 0;
+    };
+    const auto built = build_sheets_of_archive(zip_, pages_, path_, {}, progress);
+    EXPECT_EQ(built.status().code(), StatusCode::kCancelled) << until;
+    EXPECT_EQ(left, 0) << "went on after report " << until;
+  }
+}
+
 /// Refuses more than its limits.
 class SmallBudget final : public PreparationBudget {
  public:
