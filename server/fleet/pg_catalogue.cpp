@@ -4,6 +4,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include "server/library/kept_name.h"
+#include "server/library/scan_names.h"
 #include "server/library/scan_record.h"
 
 namespace burnish {
@@ -68,6 +70,19 @@ Result<PgCatalogue::Page> PgCatalogue::read_all(std::string mark) {
   return page;
 }
 
+// The lock is for servers that enter scans at the same moment; names that look alike share one.
+Status PgCatalogue::take_name(const ScanInfo& scan) {
+  ASSIGN_OR_RETURN(
+      const PgReply lock,
+      connection_.run({"SELECT pg_try_advisory_xact_lock(hashtextextended(encode($1, 'hex'), 0))",
+                       {look_of_name(scan.name)}}));
+  if (lock.integer(0, 0) == 0)
+    return already_exists("the name '" + scan.name +
+                          "' is being given to another scan; choose another");
+  ASSIGN_OR_RETURN(const Page page, read_all({}));
+  return check_name_is_free(scan, page.scans);
+}
+
 // Whoever is the second to enter a scan waits at its row, and finds the first one's.
 Result<ScanInfo> PgCatalogue::enter(const ScanInfo& scan, const Files& put) {
   const std::lock_guard lock(mutex_);
@@ -76,9 +91,11 @@ Result<ScanInfo> PgCatalogue::enter(const ScanInfo& scan, const Files& put) {
     ASSIGN_OR_RETURN(const PgReply row,
                      connection_.run({"INSERT INTO scans (id, info) VALUES ($1, $2)"
                                       " ON CONFLICT (id) DO UPDATE SET info = scans.info"
-                                      " RETURNING info",
+                                      " RETURNING info, xmax = 0",
                                       {scan.id, scan_to_json(scan)}}));
     info = row.bytes(0, 0);
+    const bool is_new = row.integer(0, 1) != 0;
+    if (is_new) RETURN_IF_ERROR(take_name(scan));
     RETURN_IF_ERROR(put());
     return connection_
         .run({"UPDATE sessions SET shared_scan = scan_id WHERE scan_id = $1"
@@ -100,7 +117,9 @@ Result<ScanInfo> PgCatalogue::change(const std::string& id,
         connection_.run({"SELECT info FROM scans WHERE id = $1 FOR NO KEY UPDATE", {id}}));
     if (row.rows() == 0) return not_found("no scan has the id '" + id + "'");
     ASSIGN_OR_RETURN(scan, scan_from_json(row.bytes(0, 0)));
+    const std::string before = scan.name;
     by(scan);
+    if (scan.name != before) RETURN_IF_ERROR(take_name(scan));
     return connection_
         .run({"UPDATE scans SET info = $2, version = nextval('scan_versions') WHERE id = $1",
               {id, scan_to_json(scan)}})

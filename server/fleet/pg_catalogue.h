@@ -9,7 +9,7 @@
 namespace burnish {
 
 /// The catalogue in the fleet's database. A scan's row is locked while its files change, and a
-/// session's row refers to its scan's.
+/// session's row refers to its scan's. A name is locked while it is given.
 class PgCatalogue final : public ScanCatalogue {
  public:
   /// Needs: the tables of the journal. Fails: unavailable.
@@ -28,6 +28,8 @@ class PgCatalogue final : public ScanCatalogue {
   /// Runs `work` in a transaction, which ends without a change if it fails.
   Status transact(const std::function<Status()>& work);
   Result<Page> read_all(std::string mark);
+  /// Holds the scan's name for it until the transaction ends. Fails: already_exists.
+  Status take_name(const ScanInfo& scan);
 
   const PgAddress address_;
   std::mutex mutex_;

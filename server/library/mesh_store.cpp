@@ -133,7 +133,7 @@ Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& i
   RETURN_IF_ERROR(build_pages({mesh->vertices, mesh->triangles, mesh->colours, scan.statistics},
                               staging.path() / pages_file_name(),
                               {options_.threads, &budget, budget.space()}, progress));
-  RETURN_IF_ERROR(put_new(staging, scan, progress));
+  RETURN_IF_ERROR(put_new(staging, scan, header, progress));
   ASSIGN_OR_RETURN(ScanInfo stored, find(id));
   return ImportOutcome{std::move(stored), false};
 }

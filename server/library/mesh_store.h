@@ -195,7 +195,10 @@ class MeshStore {
   Status repair_shared(const std::string& id, const Progress& progress);
   Status take_upload(Upload& upload, const std::string& id, const Progress& progress);
   Status check_or_fetch(const ScanInfo& scan, const Progress& progress);
-  Status put_new(const StagingFolder& staging, const ScanInfo& scan, const Progress& progress);
+  Status put_new(const StagingFolder& staging, const ScanInfo& scan, const ImportHeader& header,
+                 const Progress& progress);
+  Result<ScanInfo> enter_new(ScanInfo scan, const std::string& wanted, bool exact,
+                             const ScanCatalogue::Files& put);
   Status read_catalogue();
   Status share_own(const ScanInfo& scan);
   void take_info(const ScanInfo& scan);

@@ -3,6 +3,7 @@
 // it. A change of this server clears the mark of the last reading: others may undo it before the
 // next one, and the catalogue has the old mark again.
 
+#include <deque>
 #include <set>
 
 #include <spdlog/spdlog.h>
@@ -59,7 +60,7 @@ Status MeshStore::share_own(const ScanInfo& scan) {
   const std::lock_guard lock(sharing_mutex_);
   mark_.clear();
   ASSIGN_OR_RETURN(const ScanInfo entered,
-                   shared_->catalogue->enter(read, [&] { return staged.value()->place(false); }));
+                   enter_new(read, read.name, false, [&] { return staged.value()->place(false); }));
   RETURN_IF_ERROR(write_file(folder / kMark, ""));
   take_info(entered);
   return Status::ok();
@@ -162,16 +163,33 @@ Status MeshStore::put_here(const StagingFolder& staging, const ScanInfo& scan) {
 /// Shares a new scan, then puts it among this server's own: if it cannot be shared, nothing is
 /// kept.
 Status MeshStore::put_new(const StagingFolder& staging, const ScanInfo& scan,
-                          const Progress& progress) {
+                          const ImportHeader& header, const Progress& progress) {
   if (!shared_) return put_here(staging, scan);
   ASSIGN_OR_RETURN(const auto staged,
                    shared_->originals->copy_in(staging.path() / original_file_name(scan.format),
                                                scan, progress));
   const std::lock_guard lock(sharing_mutex_);
   mark_.clear();
-  ASSIGN_OR_RETURN(const ScanInfo entered,
-                   shared_->catalogue->enter(scan, [&] { return staged->place(false); }));
+  ASSIGN_OR_RETURN(const ScanInfo entered, enter_new(scan, header.name, header.exact_name,
+                                                     [&] { return staged->place(false); }));
   return put_shared_here(staging, entered);
+}
+
+/// Enters a scan. Another server may have given its name since it was chosen: unless it must be
+/// exact, the scan gets the next number. Needs: sharing_mutex_ is held.
+Result<ScanInfo> MeshStore::enter_new(ScanInfo scan, const std::string& wanted, bool exact,
+                                      const ScanCatalogue::Files& put) {
+  constexpr size_t kNamesMax = 100;
+  std::deque<ScanNames::Hold> refused;  // held, so that the next one differs
+  for (;;) {
+    auto entered = shared_->catalogue->enter(scan, put);
+    if (entered.status().code() != StatusCode::kAlreadyExists || exact ||
+        refused.size() == kNamesMax)
+      return entered;
+    ASSIGN_OR_RETURN(ScanNames::Hold next, names_.hold(scan.id, wanted, false));
+    scan.name = next.name();
+    refused.push_back(std::move(next));
+  }
 }
 
 /// Uses the uploaded bytes of a scan that others have imported. What the fleet has may be

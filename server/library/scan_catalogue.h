@@ -29,10 +29,11 @@ class ScanCatalogue {
   virtual Result<std::optional<Page>> read(const std::string& mark) = 0;
 
   /// Enters a scan when `put` has put its files in place. Returns it as the catalogue has it: the
-  /// first one of an id counts. Fails: as `put`; unavailable.
+  /// first one of an id counts. Fails: already_exists if another scan has a name that looks like
+  /// the new one's, or is given one at this moment, before `put` is called; as `put`; unavailable.
   virtual Result<ScanInfo> enter(const ScanInfo& scan, const Files& put) = 0;
 
-  /// Changes the name or the unit. Fails: not_found; unavailable.
+  /// Changes the name or the unit. Fails: not_found; already_exists, likewise; unavailable.
   virtual Result<ScanInfo> change(const std::string& id,
                                   const std::function<void(ScanInfo&)>& by) = 0;
 

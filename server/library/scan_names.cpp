@@ -20,6 +20,13 @@ static Status has_name(const ScanInfo& other, const std::string& name) {
                         short_id(other.id) + kAdvice);
 }
 
+Status check_name_is_free(const ScanInfo& scan, const std::vector<ScanInfo>& others) {
+  const std::string look = look_of_name(scan.name);
+  for (const ScanInfo& other : others)
+    if (other.id != scan.id && look_of_name(other.name) == look) return has_name(other, scan.name);
+  return Status::ok();
+}
+
 Result<ScanNames::Hold> ScanNames::hold(const std::string& id, const std::string& name,
                                         bool exact) {
   if (exact) RETURN_IF_ERROR(check_scan_name(name));

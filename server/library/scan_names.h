@@ -4,15 +4,20 @@
 #include <mutex>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "common/base/status.h"
 #include "server/library/scan_index.h"
 
 namespace burnish {
 
+/// Fails: already_exists that names one of `others` whose name looks like that of `scan`, which may
+/// be among them.
+Status check_name_is_free(const ScanInfo& scan, const std::vector<ScanInfo>& others);
+
 /// The names of scans, each given once: a reference must not change its meaning because somebody
-/// imports. Knows what this server knows; another server of a fleet may give a name at the same
-/// moment. Thread-safe.
+/// imports. Knows what this server knows; the catalogue of a fleet refuses what another server has
+/// given at the same moment. Thread-safe.
 class ScanNames {
  private:
   struct State {

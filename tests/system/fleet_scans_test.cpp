@@ -1,5 +1,6 @@
 // Servers that share a folder or a bucket of scans: what one of them has imported opens on all.
 
+#include <future>
 #include <map>
 
 #include <gmock/gmock.h>
@@ -129,6 +130,20 @@ TEST_P(FleetScans, AScanIsDeletedNowhereWhileASessionOfAnotherServerEditsIt) {
   ASSERT_EQ(one().burnish({"close", "work", "--delete"}).exit_code, 0);
   EXPECT_TRUE(connection.delete_scan("ball").is_ok());
   EXPECT_THAT(one().burnish({"meshes"}).output, Not(HasSubstr("ball")));
+}
+
+TEST_P(FleetScans, OneNameIsGivenOnceThoughTwoServersImportAtTheSameTime) {
+  const auto import = [&](ServerProcess& server, int level) {
+    return server.burnish(
+        {"import", write_sphere(folder_, level), "--depth", "4", "--name", "twin"});
+  };
+  auto first = std::async(std::launch::async, [&] { return import(one(), 1); });
+  const CommandOutcome second = import(two(), 2);
+  const CommandOutcome outcomes[] = {first.get(), second};
+  EXPECT_NE(outcomes[0].exit_code == 0, outcomes[1].exit_code == 0)
+      << outcomes[0].output << outcomes[1].output;
+  for (ServerProcess* server : {&one(), &two()})
+    EXPECT_EQ(server->burnish({"describe", "twin"}).exit_code, 0);
 }
 
 class FleetBucket : public testing::Test {

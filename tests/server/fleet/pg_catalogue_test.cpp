@@ -66,6 +66,43 @@ TEST_F(PgCatalogueTest, TheFirstEntryOfAScanCounts) {
   EXPECT_EQ(two_->enter(scan_, nothing)->name, "ball");
 }
 
+TEST_F(PgCatalogueTest, TwoServersDoNotGiveOneNameAtTheSameMoment) {
+  ScanInfo other = scan_;
+  other.id = std::string(64, 'b');
+  other.name = "BALL";  // it looks like "ball"
+  Status meanwhile;
+  ASSERT_TRUE(one_->enter(scan_,
+                          [&] {
+                            meanwhile = two_->enter(other, nothing).status();
+                            return Status::ok();
+                          })
+                  .is_ok());
+  EXPECT_EQ(meanwhile.code(), StatusCode::kAlreadyExists);
+  const Status later = two_->enter(other, nothing).status();
+  EXPECT_EQ(later.code(), StatusCode::kAlreadyExists);
+  EXPECT_THAT(later.message(), HasSubstr("'ball', scan aaaaaaaa"));
+  EXPECT_EQ(names(*one_), std::vector<std::string>{"ball"});
+}
+
+TEST_F(PgCatalogueTest, ANameIsFreeAgainWhenItsScanWasNotEntered) {
+  const auto failed = one_->enter(scan_, [] { return resource_exhausted("no space"); });
+  ASSERT_FALSE(failed.is_ok());
+  scan_.id = std::string(64, 'b');
+  EXPECT_TRUE(two_->enter(scan_, nothing).is_ok());
+}
+
+TEST_F(PgCatalogueTest, AScanIsNotRenamedToANameThatAnotherServerHasGiven) {
+  ASSERT_TRUE(one_->enter(scan_, nothing).is_ok());
+  ScanInfo other = scan_;
+  other.id = std::string(64, 'b');
+  other.name = "globe";
+  ASSERT_TRUE(two_->enter(other, nothing).is_ok());
+  const auto rename = [](ScanInfo& scan) { scan.name = "Ball"; };
+  EXPECT_EQ(two_->change(other.id, rename).status().code(), StatusCode::kAlreadyExists);
+  EXPECT_THAT(names(*one_), testing::UnorderedElementsAre("ball", "globe"));
+  EXPECT_TRUE(two_->change(scan_.id, rename).is_ok()) << "its own name in another way";
+}
+
 TEST_F(PgCatalogueTest, AScanWhoseFilesFailIsNotEntered) {
   const auto failed = one_->enter(scan_, [] { return resource_exhausted("no space"); });
   EXPECT_EQ(failed.status().code(), StatusCode::kResourceExhausted);

@@ -5,8 +5,10 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "server/library/scan_catalogue.h"
+#include "server/library/scan_names.h"
 
 namespace burnish {
 
@@ -27,11 +29,12 @@ class CatalogueInMemory final : public ScanCatalogue {
     const std::lock_guard lock(rows_.mutex);
     Page page{"version " + std::to_string(rows_.version), {}};
     if (page.mark == mark) return std::optional<Page>();
-    for (const auto& [id, scan] : rows_.scans) page.scans.push_back(scan);
+    page.scans = all();
     return std::optional<Page>(std::move(page));
   }
   Result<ScanInfo> enter(const ScanInfo& scan, const Files& put) override {
     const std::lock_guard lock(rows_.mutex);
+    if (!rows_.scans.contains(scan.id)) RETURN_IF_ERROR(check_name_is_free(scan, all()));
     RETURN_IF_ERROR(put());
     rows_.on_placed();
     ++rows_.version;
@@ -42,9 +45,11 @@ class CatalogueInMemory final : public ScanCatalogue {
   Result<ScanInfo> change(const std::string& id,
                           const std::function<void(ScanInfo&)>& by) override {
     const std::lock_guard lock(rows_.mutex);
+    ScanInfo scan = rows_.scans.at(id);
+    by(scan);
+    RETURN_IF_ERROR(check_name_is_free(scan, all()));
     ++rows_.version;
-    by(rows_.scans.at(id));
-    return rows_.scans.at(id);
+    return rows_.scans.at(id) = scan;
   }
   Status remove(const std::string& id, const Files& remove_files) override {
     const std::lock_guard lock(rows_.mutex);
@@ -56,6 +61,12 @@ class CatalogueInMemory final : public ScanCatalogue {
   }
 
  private:
+  std::vector<ScanInfo> all() const {
+    std::vector<ScanInfo> scans;
+    for (const auto& [id, scan] : rows_.scans) scans.push_back(scan);
+    return scans;
+  }
+
   CatalogueRows& rows_;
 };
 

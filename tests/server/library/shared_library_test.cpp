@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/transfer/chunk.h"
 #include "server/library/scan_record.h"
 #include "server/library/shared_folder.h"
 #include "tests/server/library/catalogue_in_memory.h"
@@ -91,6 +92,48 @@ TEST_P(SharedLibraryTest, TheSameBytesOnTwoServersAreOneScanUnderItsFirstName) {
   ASSERT_TRUE(again.is_ok()) << again.status().message();
   EXPECT_TRUE(again->already_present);
   EXPECT_EQ(again->scan.name, "ball");
+}
+
+/// Lets another server enter a scan of this name once an import has chosen its own.
+Progress enter_meanwhile(CatalogueRows& rows, const std::string& name) {
+  return [&rows, name](std::string_view phase, double) {
+    const std::lock_guard lock(rows.mutex);
+    if (phase != "storing" || !rows.scans.empty()) return true;
+    ScanInfo other;
+    other.id = std::string(64, 'b');
+    other.name = name;
+    rows.scans[other.id] = other;
+    ++rows.version;
+    return true;
+  };
+}
+
+TEST_P(SharedLibraryTest, ANameThatAnotherServerGivesDuringAnImportIsNotGivenTwice) {
+  const auto ball = one_.import(sphere_file(), "ball", enter_meanwhile(rows_, "Ball"));
+  ASSERT_TRUE(ball.is_ok()) << ball.status().message();
+  EXPECT_EQ(ball->scan.name, "ball (2)");
+  ASSERT_TRUE(two_.store->refresh().is_ok());
+  EXPECT_EQ(two_.store->find("ball (2)")->id, ball->scan.id);
+}
+
+TEST_P(SharedLibraryTest, AnExactNameThatAnotherServerGivesDuringAnImportIsRefused) {
+  const std::string bytes = sphere_file();
+  ImportHeader header{"ball", MeshFormat::kPly, bytes.size(), "", {5, 0}};
+  header.exact_name = true;
+  const auto upload = one_.store->begin_upload(header).value();
+  ASSERT_TRUE(upload->append(0, bytes, chunk_crc32(bytes)).is_ok());
+  const auto refused = one_.store->import(*upload, header, enter_meanwhile(rows_, "Ball"));
+  EXPECT_EQ(refused.status().code(), StatusCode::kAlreadyExists);
+  EXPECT_EQ(rows_.scans.size(), 1u);
+  EXPECT_EQ(shared_->file_count() + shared_->unfinished(), 0u) << "nothing is kept";
+}
+
+TEST_P(SharedLibraryTest, AServerThatJoinsWithANameInUseKeepsItsScanUnderAnother) {
+  ASSERT_TRUE(one_.import(sphere_file(), "ball").is_ok());
+  TestLibrary alone;
+  const ScanInfo own = alone.import(sphere_file(2), "ball")->scan;
+  share(alone, "three");
+  EXPECT_EQ(alone.store->find("ball (2)")->id, own.id);
 }
 
 TEST_P(SharedLibraryTest, KnownBytesNeedNoUpload) {
