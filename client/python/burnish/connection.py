@@ -16,7 +16,7 @@ from ._channel import PathLike, Trust
 from .errors import Damaged
 from .files import Upload, format_of, sha256_of
 from .mesh import Mesh
-from .progress import Progress, report
+from .progress import Progress, Whole, report, whole
 from .scan import Scan
 from .session import Session
 
@@ -96,24 +96,25 @@ class Connection:
         header = library_pb2.ImportHeader(name=wanted or "mesh", format=kind, size_bytes=size,
                                           sha256=sha256, depth=depth, exact_name=bool(name))
 
-        def send() -> library_pb2.ImportDone:
-            file.seek(0)
-            return self._send(Upload(file, header), progress)
-        done = self.calls.repeat(send)
+        with whole(progress) as of:
+            def send() -> library_pb2.ImportDone:
+                file.seek(0)
+                return self._send(Upload(file, header), of)
+            done = self.calls.repeat(send)
         if done.already_present and wanted and done.scan.name != wanted:
             warnings.warn(f"the server has these bytes already: the scan keeps its name "
                           f"'{done.scan.name}', not '{wanted}'; Scan.rename() changes it",
                           stacklevel=3)
         return Scan(self, done.scan)
 
-    def _send(self, upload: Upload, progress: Progress | None) -> library_pb2.ImportDone:
+    def _send(self, upload: Upload, of: Whole) -> library_pb2.ImportDone:
         stream = self.calls.stream(self.calls.library.Import, upload.requests())
         with contextlib.closing(upload), contextlib.closing(stream) as events:
             for event in events:
                 if event.HasField("received"):
                     upload.begin()
                 elif event.HasField("progress"):
-                    report(progress, event.progress)
+                    report(of, event.progress)
                 elif event.HasField("done"):
                     done: library_pb2.ImportDone = event.done
                     return done

@@ -15,7 +15,7 @@ from burnish.v1 import common_pb2, library_pb2
 
 from ._channel import PathLike
 from .errors import Damaged, InvalidArgument
-from .progress import Progress, report
+from .progress import Whole, report
 
 CHUNK_BYTES = 1 << 20
 CHUNKS_AHEAD = 4
@@ -105,12 +105,12 @@ class Download:
             os.unlink(self._part)
 
 
-def receive(stream: Generator[Any, None, None], path: PathLike, progress: Progress | None) -> Any:
+def receive(stream: Generator[Any, None, None], path: PathLike, of: Whole) -> Any:
     """Writes the file of an export. Returns its summary."""
     with contextlib.closing(Download(path)) as download, contextlib.closing(stream) as events:
         for event in events:
             if event.HasField("progress"):
-                report(progress, event.progress)
+                report(of, event.progress)
             elif event.HasField("chunk"):
                 download.take(event.chunk)
             elif event.HasField("summary"):

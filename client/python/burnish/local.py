@@ -21,7 +21,7 @@ from .errors import Error, InvalidArgument, error_of
 from .libraries import held
 from .options import Options, OptionWords, options_of, shows_options
 from .program import find_program
-from .progress import Progress
+from .progress import Progress, Whole, whole
 
 if TYPE_CHECKING:
     from typing import Unpack
@@ -52,10 +52,10 @@ def filter(source: PathLike, target: PathLike, *, progress: Progress | None = No
     In the format of `source` the file keeps all that it has. With `overwrite=False` a file that is
     there stays, and the outcome is "skipped". Raises Refused, Error.
     """
-    one, = _run([source, target], [] if overwrite else ["--no-clobber"], options_of(options),
-                progress)
-    if one.error is not None:
-        raise one.error
+    with whole(progress) as of:
+        one, = _run([source, target], [] if overwrite else ["--no-clobber"], options_of(options), of)
+        if one.error is not None:
+            raise one.error
     return one
 
 
@@ -66,20 +66,23 @@ def filter_all(sources: Sequence[PathLike], folder: PathLike, *,
     """Edits files, and writes each under its name into `folder`, which is made.
 
     A file that fails does not end the work: its entry has the error. Each file has a process of its
-    own, so one that ends for want of memory is one such entry. `options` are the fields of Options.
-    Raises InvalidArgument for two files of one name, or a wrong option.
+    own, so one that ends for want of memory is one such entry. `progress` gets phases with the
+    file's name: "a.ply: solve". `options` are the fields of Options. Raises InvalidArgument for two
+    files of one name, or a wrong option.
     """
     names = collections.Counter(pathlib.Path(source).name for source in sources)
     if twice := [name for name, count in names.items() if count > 1]:
         raise InvalidArgument(f"{names[twice[0]]} files have the name '{twice[0]}', 1 at most")
     words = [f"--out-dir={os.fspath(folder)}", *([] if overwrite else ["--no-clobber"])]
     done: list[Filtered] = []
-    for source in sources:
-        try:
-            done += _run([source], words, options_of(options), progress)
-        except _Ended as error:
-            target = pathlib.Path(folder) / pathlib.Path(source).name
-            done.append(Filtered(pathlib.Path(source), target, "failed", error, {}))
+    for i, source in enumerate(sources):
+        name = pathlib.Path(source).name
+        with whole(progress, i / len(sources), (i + 1) / len(sources), f"{name}: ") as of:
+            try:
+                done += _run([source], words, options_of(options), of)
+            except _Ended as error:
+                target = pathlib.Path(folder) / name
+                done.append(Filtered(pathlib.Path(source), target, "failed", error, {}))
     return done
 
 
@@ -114,9 +117,10 @@ def filter_vertices(vertices: Any, faces: Any, *, colours: Any = None,
         source, target = pathlib.Path(folder) / "in.ply", pathlib.Path(folder) / "out.ply"
         source.write_bytes(file.to_bytes())
         try:
-            one, = _run([source, target], [], chosen, progress)
-            if one.error is not None:
-                raise one.error
+            with whole(progress) as of:
+                one, = _run([source, target], [], chosen, of)
+                if one.error is not None:
+                    raise one.error
         except Error as error:
             raise type(error)(error.message.replace(str(source), "the mesh")) from None
         places, edited = file.read(target.read_bytes())
@@ -142,7 +146,7 @@ def filter_mesh(mesh: AnyMesh, *, progress: Progress | None = None, **options: U
 
 
 def _run(files: Sequence[PathLike], words: list[str], options: Options,
-         progress: Progress | None) -> list[Filtered]:
+         of: Whole) -> list[Filtered]:
     command = [find_program(), "filter", "--json", "--progress=json", *words, *options.words(),
                "--", *(os.fspath(file) for file in files)]
     process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
@@ -154,7 +158,7 @@ def _run(files: Sequence[PathLike], words: list[str], options: Options,
     messages: list[str] = []
     try:
         for line in process.stderr:
-            _take_line(line, progress, messages)
+            _take_line(line, of, messages)
         code = process.wait()
     finally:
         process.kill()
@@ -177,12 +181,12 @@ def _name_of(number: int) -> str:
     return name + ", as a machine without memory does" if number == signal.SIGKILL else name
 
 
-def _take_line(line: str, progress: Progress | None, messages: list[str]) -> None:
+def _take_line(line: str, of: Whole, messages: list[str]) -> None:
     if not line.startswith("{"):
         messages.append(line)
-    elif progress is not None:
+    else:
         step = json.loads(line)
-        progress(step["phase"], step["fraction"])
+        of.tell(step["phase"], step["fraction"])
 
 
 def _outcomes(text: str, messages: list[str]) -> list[Filtered]:

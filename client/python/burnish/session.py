@@ -22,7 +22,7 @@ from .history import Deviation, Entry, Exported, State
 from .live import Live
 from .mesh import Mesh, load_ply
 from .people import People, role_of
-from .progress import Progress
+from .progress import Progress, whole
 from .scan import EdgeProposal, prepared_of, propose_edges
 
 EDITS_MAX = 64
@@ -176,9 +176,10 @@ class Session:
             until["cycles"] = cycles
         request = editing_pb2.ExportRequest(session=self.id, format=format_of(path), **until)
 
-        def write() -> Any:
-            return receive(self._calls.stream(self._editing.Export, request), path, progress)
-        return Exported.of(self._calls.repeat(write))
+        with whole(progress) as of:
+            def write() -> Any:
+                return receive(self._calls.stream(self._editing.Export, request), path, of)
+            return Exported.of(self._calls.repeat(write))
 
     def mesh(self, *, exact: bool = False) -> Mesh:
         """Solves, and returns the edited mesh, in the order of the scan's file.

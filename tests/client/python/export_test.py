@@ -7,6 +7,7 @@ import unittest
 import numpy as np
 
 import burnish
+from rising import assert_rises
 from sdk import Sdk
 
 CHANGES = burnish.GradientScale(0.2), burnish.TransferCurve({-3.0: 20.0, 3.0: 80.0})
@@ -40,7 +41,7 @@ class Export(Sdk):
         self.assertEqual((summary.vertices, summary.triangles),
                          (len(self.mesh.vertices), len(self.mesh.faces)))
         self.assertTrue(summary.converged)
-        self.assertTrue(phases)
+        assert_rises(self, [done for _, done in phases])
 
     def test_a_mesh_has_the_scans_order(self):
         mesh = self.open_edited("mesh").mesh()

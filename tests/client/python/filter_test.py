@@ -16,6 +16,7 @@ import burnish
 import scan
 from burnish.options import OptionWords
 from burnish.program import find_program
+from rising import assert_rises
 
 PROGRAMS = pathlib.Path(__file__).parents[3] / "client/python/programs"
 QUICK = {"depth": 4, "cycles": 1}
@@ -73,7 +74,19 @@ class Filter(unittest.TestCase):
         burnish.filter(self.source, self.folder / "out.ply", **QUICK,
                        progress=lambda *step: phases.append(step))
         self.assertIn("solve", [phase for phase, _ in phases])
-        self.assertTrue(all(0 <= fraction <= 1 for _, fraction in phases))
+        assert_rises(self, [done for _, done in phases])
+
+    def test_many_files_have_one_rising_progress_with_their_names(self):
+        sources = [self.folder / name for name in ("a.ply", "b.ply")]
+        for source in sources:
+            source.write_bytes(self.source.read_bytes())
+        phases = []
+        burnish.filter_all(sources, self.folder / "out", **QUICK,
+                           progress=lambda *step: phases.append(step))
+        assert_rises(self, [done for _, done in phases])
+        of_first = [done for phase, done in phases if phase.startswith("a.ply: ")]
+        of_second = [done for phase, done in phases if phase.startswith("b.ply: ")]
+        self.assertEqual((of_first[-1], of_second[-1]), (0.5, 1))
 
     def test_what_a_callback_raises_ends_the_work(self):
         def stop(phase, fraction):

@@ -6,6 +6,7 @@ import warnings
 import numpy as np
 
 import burnish
+from rising import assert_rises
 from sdk import DEPTH, Sdk
 
 
@@ -27,8 +28,7 @@ class Library(Sdk):
         scan = self.connection.import_scan(path, depth=4, progress=lambda *step: phases.append(step))
         self.addCleanup(scan.delete)
         self.assertEqual((scan.name, scan.depths), ("cube", [4]))
-        self.assertTrue(phases)
-        self.assertTrue(all(0 <= fraction <= 1 for _, fraction in phases))
+        assert_rises(self, [done for _, done in phases])
 
     def test_a_deleted_scan_is_not_found(self):
         scan = self.connection.import_scan(burnish.Mesh(self.mesh.vertices * 3, self.mesh.faces),
