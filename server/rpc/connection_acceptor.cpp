@@ -5,6 +5,7 @@
 #include <cstring>
 #include <poll.h>
 #include <unistd.h>
+#include <utility>
 
 #include <netinet/in.h>
 #include <netinet/tcp.h>
@@ -85,8 +86,8 @@ void ConnectionAcceptor::accept_from(Door& door) {
   setsockopt(fd, IPPROTO_TCP, TCP_NODELAY, &on, sizeof(on));
   {
     const std::lock_guard lock(mutex_);
-    connections_[peer.name] = {fd, socket_inode(fd), peer.host, steady_clock::now(),
-                               peer.host.empty() || door.silence == Silence::kReceiver};
+    connections_[peer.name] = {
+        fd, socket_inode(fd), peer.host, steady_clock::now(), peer.host.empty(), door.silence};
   }
   door.receiver(door.socket.fd(), fd, peer.name);
 }
@@ -94,7 +95,7 @@ void ConnectionAcceptor::accept_from(Door& door) {
 size_t ConnectionAcceptor::open_connections() {
   const std::lock_guard lock(mutex_);
   forget_closed();
-  return connections_.size();
+  return connections_.size() + leaving_.size();
 }
 
 /// Returns why a connection of this host is refused; empty: it is not.
@@ -109,6 +110,7 @@ std::string ConnectionAcceptor::refusal(const std::string& host) {
     return !host.empty() && of_host() >= limits_.connections_per_peer;
   };
   if (is_full() || has_its_share()) forget_closed();
+  if (is_full() && !has_its_share()) make_room();
   if (is_full())
     return std::to_string(connections_.size()) +
            " connections are open, limits.connections_max is " +
@@ -120,12 +122,35 @@ std::string ConnectionAcceptor::refusal(const std::string& host) {
   return {};
 }
 
+/// Closes the oldest connection without an admitted call, if there is one. Not more than a share of
+/// all may be on their way out: each still has a descriptor.
+void ConnectionAcceptor::make_room() {
+  const auto is_older = [](const auto& a, const auto& b) {
+    const auto key = [](const Connection& of) { return std::pair(of.is_admitted, of.since); };
+    return key(a.second) < key(b.second);
+  };
+  const auto oldest = std::ranges::min_element(connections_, is_older);
+  if (oldest == connections_.end() || oldest->second.is_admitted ||
+      leaving_.size() > limits_.connections_max / 8)
+    return;
+  if (may_log(LineKind::kConnection))
+    spdlog::warn("closed the connection of {} for a new one: no call was admitted, and {} are open",
+                 oldest->first, connections_.size());
+  metrics().count_refusal(Refusal::kConnections);
+  shutdown(oldest->second.fd, SHUT_RDWR);
+  leaving_.push_back(oldest->second);
+  connections_.erase(oldest);
+}
+
 void ConnectionAcceptor::forget_closed() {
+  std::erase_if(leaving_, [](const Connection& connection) {
+    return socket_inode(connection.fd) != connection.inode;
+  });
   std::erase_if(connections_, [](const auto& entry) {
     const auto& [peer, connection] = entry;
     if (socket_inode(connection.fd) == connection.inode) return false;
     // The only line that names a peer refused by its headers: gRPC does not tell the peer then.
-    if (!connection.is_known && may_log(LineKind::kConnection))
+    if (connection.waits_for_call() && may_log(LineKind::kConnection))
       spdlog::info("connection of {} ended: no call was admitted", peer);
     return true;
   });
@@ -134,13 +159,13 @@ void ConnectionAcceptor::forget_closed() {
 bool ConnectionAcceptor::has_unknown() {
   const std::lock_guard lock(mutex_);
   return std::ranges::any_of(connections_,
-                             [](const auto& known) { return !known.second.is_known; });
+                             [](const auto& known) { return known.second.waits_for_call(); });
 }
 
 void ConnectionAcceptor::note_call(const std::string& peer) {
   const std::lock_guard lock(mutex_);
   const auto found = connections_.find(peer);
-  if (found != connections_.end()) found->second.is_known = true;
+  if (found != connections_.end()) found->second.is_admitted = true;
 }
 
 void ConnectionAcceptor::close_silent() {
@@ -150,7 +175,7 @@ void ConnectionAcceptor::close_silent() {
   const std::lock_guard lock(mutex_);
   forget_closed();
   for (auto& [peer, connection] : connections_) {
-    if (connection.is_known || now - connection.since < limits_.silence_max) continue;
+    if (!connection.waits_for_call() || now - connection.since < limits_.silence_max) continue;
     if (may_log(LineKind::kConnection))
       spdlog::warn("closed the connection of {}: no call was admitted within {} s", peer,
                    limits_.silence_max.count());
@@ -158,7 +183,7 @@ void ConnectionAcceptor::close_silent() {
     // The receiver owns the descriptor and closes it when it reads the end. If the number belongs
     // to another socket by now, that is one of the metrics, whose client will ask again.
     shutdown(connection.fd, SHUT_RDWR);
-    connection.is_known = true;
+    connection.is_admitted = true;
   }
 }
 

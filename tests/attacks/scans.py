@@ -3,6 +3,7 @@
 import hashlib
 import io
 import math
+import random
 import struct
 import zipfile
 import zlib
@@ -34,6 +35,13 @@ def sha256(file):
 
 def two_triangles():
     return _ply([(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0.1)], [(0, 1, 2), (1, 3, 2)])
+
+
+def needles(vertices, triangles):
+    """Triangles between vertices at random in a cube."""
+    chance = random.Random(1)
+    places = [(chance.random(), chance.random(), chance.random()) for _ in range(vertices)]
+    return _ply(places, [chance.sample(range(vertices), 3) for _ in range(triangles)])
 
 
 def sphere(rows):

@@ -281,6 +281,21 @@ TEST_F(ConnectionsTest, ThatOnlyAskForHealthAreClosed) {
       server.process->wait_for_output("closed the connection of ipv4:127.0.0.1:", kPatience));
 }
 
+TEST_F(ConnectionsTest, ThatTakeEveryPlaceGiveOneToWhoComesWithACall) {
+  const ServerProcess server = start("connections_max = 2");
+  RawConnection first(server, "127.0.0.2"), second(server, "127.0.0.3");
+  for (RawConnection* stranger : {&first, &second}) {
+    stranger->begin_http2();
+    EXPECT_TRUE(stranger->is_answered());
+  }
+  const auto user = wire_channel(server.address);
+  EXPECT_TRUE(call(user, {kListScans, {""}}).status.ok());
+  EXPECT_TRUE(first.is_closed()) << "the oldest";
+  RawConnection third(server, "127.0.0.4");
+  EXPECT_TRUE(second.is_closed());
+  EXPECT_TRUE(call(user, {kListScans, {""}}).status.ok()) << "it has a place";
+}
+
 TEST_F(ConnectionsTest, AnUploadThatSendsNothingMoreIsEnded) {
   const ServerProcess server = start("silent_upload_seconds = 1");
   v1::ImportRequest import;
