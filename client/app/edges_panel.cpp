@@ -16,7 +16,7 @@ void draw_presets(Document& document) {
   const std::string title(!edges.is_on() ? "Off" : shown ? shown->title : own);
   ImGui::SetNextItemWidth(-1);
   if (!noted("Kept edges", ImGui::BeginCombo("##edges", title.c_str()))) return;
-  if (noted("Keep no edges", ImGui::Selectable("Off", !edges.is_on()))) document.commit(SetEdges{});
+  if (noted("Keep no edges", ImGui::Selectable("Off", !edges.is_on()))) document.keep_no_edges();
   const bool is_by_noise = !shown && document.keeps_edges_by_noise();
   if (noted(kForThisScan, ImGui::Selectable(kForThisScan, is_by_noise)))
     document.keep_edges_by_noise();

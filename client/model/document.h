@@ -129,6 +129,8 @@ class Document {
   const EdgeFilter& edges() const { return settings_.edges; }
   /// Keeps edges as a preset does, and makes fidelity that of waves of kEdgeWaveEdges.
   void keep_edges(const EdgeFilter& preset);
+  /// Keeps none, and takes back the fidelity that keep_edges() has set.
+  void keep_no_edges();
   /// Has the server measure the scan's noise, and then keeps edges as it proposes. Changes nothing
   /// if there is no noise to speak of, or if the user sets other edges meanwhile.
   void keep_edges_by_noise();
@@ -223,6 +225,7 @@ class Document {
   void send(Change change);
   void send_as(const std::string& id, Change change);
   void send_together(const std::vector<Edit>& edits);
+  TransferCurve curve_for_edges() const;
   void commit_together(std::vector<Change> changes);
   void count_step(const Change& change);
   void send_stroke(const std::string& id, const Stroke& stroke);
@@ -261,6 +264,7 @@ class Document {
 
   Settings settings_;  // as the user or the session set them last
   CurveEditor curve_;
+  TransferCurve curve_before_edges_{kAlphaDefault};
   std::optional<Preset> last_preset_;
   std::optional<RimCount> rims_;  // absent until a state with pinned rims has come
   BrushTool brush_;

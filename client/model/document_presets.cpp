@@ -20,9 +20,21 @@ void Document::apply(const Preset& preset, double strength) {
   commit_together(std::move(changes));
 }
 
+TransferCurve Document::curve_for_edges() const {
+  return TransferCurve(alpha_of_wavelength(length_unit(), kEdgeWaveEdges * mean_edge()));
+}
+
 void Document::keep_edges(const EdgeFilter& preset) {
-  curve_.set_curve(TransferCurve(alpha_of_wavelength(length_unit(), kEdgeWaveEdges * mean_edge())));
+  const TransferCurve before = curve_.curve();
+  if (before != curve_for_edges()) curve_before_edges_ = before;
+  curve_.set_curve(curve_for_edges());
   commit_together({SetEdges{preset}, SetTransferCurve{curve_.curve()}});
+}
+
+void Document::keep_no_edges() {
+  if (curve_.curve() != curve_for_edges()) return commit(SetEdges{});
+  curve_.set_curve(curve_before_edges_);
+  commit_together({SetEdges{}, SetTransferCurve{curve_.curve()}});
 }
 
 void Document::keep_edges_by_noise() {

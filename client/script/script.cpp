@@ -25,7 +25,7 @@ constexpr CommandForm kOtherCommands[] = {
     {"turn", 4, kAnyWords, "turn X Y X Y...: drags the camera in the same way"},
     {"fork", 1, kAnyWords, "fork NAME: opens a copy of the session"},
     {"wait", 0, 0, "wait: waits until all edits are applied and the surface settles"},
-    {"camera", 2, 6, "camera AZIMUTH ELEVATION [DISTANCE X Y Z]: without target, frames all"},
+    {"camera", 2, 6, "camera AZIMUTH ELEVATION [DISTANCE [X Y Z]]: without target, frames all"},
     {"frame", 0, 1, "frame [FARTHER]: shows the whole scan, from FARTHER times the distance"},
     {"colour", 1, 1, "colour clay|beta|curvature|displacement|scan"},
     {"flat", 1, 1, "flat on|off"},

@@ -51,7 +51,7 @@ Status change_document(const ScriptLine& line, Document& document) {
   } else if (command == "keep_edges" && line.words[0] == kAutoEdges) {
     document.keep_edges_by_noise();
   } else if (command == "keep_edges" && line.words[0] == kNoEdges) {
-    document.commit(SetEdges{});
+    document.keep_no_edges();
   } else if (command == "keep_edges") {
     const auto preset = find_edge_preset(line.words[0]);
     if (!preset.is_ok())

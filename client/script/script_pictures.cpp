@@ -25,6 +25,9 @@ Result<ColourBy> parse_colour(const std::string& word) {
 }
 
 Status set_camera(const std::vector<double>& numbers, Viewport& viewport) {
+  if (numbers.size() != 2 && numbers.size() != 3 && numbers.size() != 6)
+    return invalid_argument("camera has " + std::to_string(numbers.size()) +
+                            " numbers; it takes 2, with a distance 3, with a target 6");
   viewport.camera.azimuth_degrees = numbers[0];
   viewport.camera.elevation_degrees = numbers[1];
   viewport.frame_all();

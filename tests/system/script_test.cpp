@@ -114,6 +114,32 @@ TEST(Script, ACameraThatIsPlacedStaysWhenThePictureGetsAnotherSize) {
   EXPECT_NE(content_of(picture("a.png")), content_of(picture("c.png")));
 }
 
+TEST(Script, ACameraTakesItsTargetWholeOrNotAtAll) {
+  ServerProcess server;
+  const std::string open = "open " + write_sphere(server.folder, 3) + "\n";
+  for (const char* numbers : {"1 2 3 4", "1 2 3 4 5"}) {
+    const CommandOutcome outcome = run_script(server, open + "camera " + numbers + "\n");
+    EXPECT_NE(outcome.exit_code, 0) << numbers;
+    EXPECT_THAT(outcome.output, testing::HasSubstr("with a target 6"));
+  }
+  EXPECT_EQ(run_script(server, open + "camera 1 2\ncamera 1 2 3\n").exit_code, 0);
+}
+
+TEST(Script, KeepingNoEdgesTakesTheirFidelityBack) {
+  ServerProcess server;
+  const CommandOutcome outcome =
+      run_script(server, "open " + write_sphere(server.folder, 3) +
+                             "\nfidelity 30\nwait\nprint\nkeep_edges soft\nwait\nprint\n"
+                             "keep_edges off\nwait\nprint\n");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  std::vector<std::string> curves;
+  for (size_t at = 0; (at = outcome.output.find(", curve ", at)) != std::string::npos; ++at)
+    curves.push_back(outcome.output.substr(at, outcome.output.find(", ", at + 1) - at));
+  ASSERT_EQ(curves.size(), 3u) << outcome.output;
+  EXPECT_NE(curves[1], curves[0]);
+  EXPECT_EQ(curves[2], curves[0]);
+}
+
 TEST(Script, UndoAndRedoTakeAWholePreset) {
   ServerProcess server;
   const std::string script = "open " + write_sphere(server.folder, 3) +

@@ -101,6 +101,17 @@ TEST_F(WatchFolder, AScanThatIsReplacedWhileItIsFilteredIsFilteredAgain) {
   EXPECT_TRUE(comes("a.obj", 2562)) << run->output();
 }
 
+TEST_F(WatchFolder, AFileWhosePermissionsChangeIsNotFilteredAgain) {
+  put("a.ply");
+  const auto run = watch({});
+  ASSERT_TRUE(run->wait_for_output("a.ply: depth 4", kWatchPatience)) << run->output();
+  fs::permissions(in("a.ply"), fs::perms::owner_read);
+  put("b.ply");  // one look sees both, in this order
+  ASSERT_TRUE(run->wait_for_output("b.ply: depth 4", kWatchPatience)) << run->output();
+  const std::string output = run->output();
+  EXPECT_EQ(output.find("a.ply: depth 4"), output.rfind("a.ply: depth 4")) << output;
+}
+
 TEST_F(WatchFolder, AHalfWrittenFileIsFilteredOnceItIsWhole) {
   put("whole.ply");
   std::ifstream source(in("whole.ply"), std::ios::binary);

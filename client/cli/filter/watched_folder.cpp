@@ -42,9 +42,9 @@ static Result<std::vector<WatchedFile>> files_in(const fs::path& folder) {
     struct stat facts;
     if (!is_mesh_file(at->path()) || ::stat(at->path().c_str(), &facts) != 0) continue;
     if (!S_ISREG(facts.st_mode)) continue;
-    const int64_t changed_ns =
-        int64_t{facts.st_ctim.tv_sec} * 1'000'000'000 + facts.st_ctim.tv_nsec;
-    files.push_back({at->path(), static_cast<uint64_t>(facts.st_size), changed_ns});
+    const int64_t written_ns =
+        int64_t{facts.st_mtim.tv_sec} * 1'000'000'000 + facts.st_mtim.tv_nsec;
+    files.push_back({at->path(), static_cast<uint64_t>(facts.st_size), written_ns, facts.st_ino});
   }
   if (error) return failed_at(folder, error.value());
   return files;

@@ -12,11 +12,13 @@
 
 namespace burnish {
 
-/// A mesh file as it lay in a folder. Another content has another time of change.
+/// A mesh file as it lay in a folder. Another content has another time of writing, or is another
+/// file of the same name.
 struct WatchedFile {
   std::filesystem::path path;
   uint64_t bytes = 0;
-  int64_t changed_ns = 0;  ///< of content or place, by the file system's clock
+  int64_t written_ns = 0;  ///< by the file system's clock
+  uint64_t number = 0;     ///< inode: a file that is moved here keeps its time
   bool operator==(const WatchedFile&) const = default;
 };
 
