@@ -13,7 +13,9 @@
 #include "common/base/check.h"
 #include "common/edit/transfer_curve.h"
 #include "common/mesh/mtl_reader.h"
+#include "common/mesh/shown_picture.h"
 #include "common/mesh/texture_row.h"
+#include "common/mesh/textured_surface.h"
 #include "common/picture/picture.h"
 #include "common/picture/picture_rewriter.h"
 #include "common/wire/edit_bytes.h"
@@ -84,6 +86,19 @@ bool read_fuzzed_picture(std::span<const uint8_t> bytes) {
   row.set({0, 0, 1, std::span(picture->pixels).first(picture->width)});
   (void)row.mean(-0.3, 1e6, TextureWrap::kMirror);
   return true;
+}
+
+/// An archive as the server bakes it: each triangle finds its material and its picture.
+bool read_fuzzed_textures(std::span<const uint8_t> bytes) {
+  return read_textured_surface(bytes, MeshFormat::kZip, "fuzzed", {},
+                               [](const TexturedSurface& surface) {
+                                 for (uint32_t t = 0; t < surface.textures.triangles.size(); ++t)
+                                   (void)shown_picture(surface.textures, t);
+                                 for (const SurfacePicture& picture : surface.textures.pictures)
+                                   (void)picture.read();
+                                 return Status::ok();
+                               })
+      .is_ok();
 }
 
 bool read_fuzzed_script(std::span<const uint8_t> bytes) {
@@ -173,6 +188,7 @@ constexpr FuzzedReader kReaders[] = {
     {"script", read_fuzzed_script},
     {"server_message", read_server_message},
     {"strokes", read_strokes},
+    {"textured", read_fuzzed_textures},
     {"users", read_users},
     {"web_frames", read_web_frames},
     {"web_request", read_web_request},
