@@ -9,6 +9,7 @@ namespace burnish {
 void add_generate_command(CommandTable& table);
 void add_filter_command(CommandTable& table);
 void add_watch_command(CommandTable& table);
+void add_presets_command(CommandTable& table);
 
 /// Adds nothing in a build without OpenGL.
 void add_render_command(CommandTable& table);

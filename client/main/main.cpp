@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
   burnish::add_generate_command(table);
   burnish::add_filter_command(table);
   burnish::add_watch_command(table);
+  burnish::add_presets_command(table);
   burnish::add_render_command(table);
   burnish::add_service_commands(table);
   std::vector<char*> words(argv, argv + argc);

@@ -26,6 +26,7 @@ from .mesh import Mesh, load_ply
 from .options import Options
 from .people import People
 from .pictures import animate, render
+from .presets import presets
 from .region import (ClearProtected, GrowProtected, InvertProtected, ProtectCurvature,
                      ProtectLasso, ProtectPiece)
 from .scan import EdgeProposal, Histogram, Prepared, Scan, ThinWalls
@@ -42,5 +43,5 @@ __all__ = [
     "ProtectPiece", "Refused", "ResourceExhausted", "Scan", "Server", "Session", "SessionEnded", "State",
     "Stroke", "ThinWalls", "TransferCurve", "Unauthenticated", "Unavailable", "Unimplemented",
     "__version__", "animate", "connect", "filter", "filter_all", "filter_mesh", "filter_vertices",
-    "load_ply", "render", "serve",
+    "load_ply", "presets", "render", "serve",
 ]

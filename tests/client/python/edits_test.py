@@ -1,5 +1,7 @@
 """Edits, and the history of a session."""
 
+import os
+import subprocess
 import unittest
 
 import numpy as np
@@ -174,6 +176,25 @@ class Edits(Sdk):
         self.session.set_alpha(self.scan.prepared(self.session.depth).alpha_of(2))
         by_length, by_alpha = self.summaries()
         self.assertEqual(by_length, by_alpha)
+
+    def test_a_preset_is_the_programs(self):
+        program = self.open(f"{self.id()} by the program")
+        self.assertIn("Soften", burnish.presets())
+        for name, strength in (("Bring out an inscription", 0.5), ("Sharpen flats", 1.0)):
+            self.session.set_preset(name, strength)
+            subprocess.run([os.environ["BURNISH_BINARY"], "edit", program.id, "--preset", name,
+                            "--strength", str(strength), "--server", f"unix:{self.server.socket}"],
+                           check=True, stdout=subprocess.DEVNULL)
+            ours, theirs = self.session.state(), program.state()
+            self.assertEqual((ours.beta, ours.curve, ours.bands, ours.edits),
+                             (theirs.beta, theirs.curve, theirs.bands, theirs.edits))
+
+    def test_a_preset_that_is_not_there_or_too_strong_is_refused(self):
+        with self.assertRefused(burnish.NotFound, "Harden"):
+            self.session.set_preset("Harden")
+        with self.assertRefused(burnish.InvalidArgument, "1.5"):
+            self.session.set_preset("Soften", 1.5)
+        self.assertEqual(self.session.state().edits, 0)
 
     def test_deviation_and_section_measure_the_surface(self):
         self.assertEqual(self.session.deviation().max, 0)

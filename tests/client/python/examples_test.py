@@ -25,7 +25,7 @@ class Examples(Sdk):
         with contextlib.redirect_stdout(printed):
             for example in examples:
                 exec(compile(example, PAGE.name, "exec"), names)
-        self.assertEqual(len(examples), 10)
+        self.assertEqual(len(examples), 11)
         for word in ("absent.ply failed", "gradient scale", "NOT_FOUND"):
             self.assertIn(word, printed.getvalue())
 
