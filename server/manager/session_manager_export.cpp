@@ -30,7 +30,7 @@ static Result<MeshFormat> format_to_send(MeshStore& store, const ScanInfo& scan,
 }
 
 /// Promises a picture's memory while it is written, and hears a cancel between its rows.
-static PictureBudget budget_of_pictures(Quota& memory, LoopProgress& rows, Quota::Share& share) {
+static FileBudget budget_of_pictures(Quota& memory, LoopProgress& rows, Quota::Share& share) {
   return [&](uint64_t bytes) -> Status {
     if (!rows.goes_on(0)) return cancelled("the export was cancelled");
     if (bytes == 0) return Status::ok();

@@ -6,6 +6,7 @@
 #include "client/cli/filter/fields_file.h"
 #include "client/cli/filter/filter_output.h"
 #include "client/cli/filter/filter_report.h"
+#include "common/base/file_budget.h"
 #include "common/base/loop_progress.h"
 #include "common/base/out_of_memory.h"
 #include "common/base/process_memory.h"
@@ -137,7 +138,7 @@ void warn_unless_volume_is_kept(const Session& session) {
 }
 
 /// Hears a cancel between rows of pictures. A picture takes memory that is there now.
-PictureBudget budget_of_pictures(LoopProgress& rows) {
+FileBudget budget_of_pictures(LoopProgress& rows) {
   return [&rows](uint64_t bytes) -> Status {
     if (!rows.goes_on(0)) return cancelled("writing pictures was cancelled");
     const uint64_t bytes_max = bytes == 0 ? UINT64_MAX : available_memory_bytes();

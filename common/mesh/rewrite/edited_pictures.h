@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/base/file_budget.h"
 #include "common/base/status.h"
 #include "common/mesh/files_beside.h"
 #include "common/mesh/mesh_format.h"
@@ -28,7 +29,7 @@ std::string text_of(const PictureReport& report);
 
 /// The work on pictures while a scan is written.
 struct PictureWork {
-  PictureBudget budget = {};  ///< hears memory before it is taken, and 0 often; null: none
+  FileBudget budget = {};  ///< hears memory before it is taken, and 0 often; null: none
   PictureReport report = {};
 };
 

@@ -75,27 +75,28 @@ async function windowPicture(lab: Lab, visit: Visit, { width, height }: Pixels, 
 const kTexels = ["colour scan", "light unlit"];
 /** Lines that lead to a picture, and how many stripes it has at least. */
 const kViews: [name: string, lines: string[], turns: number][] = [
-  ["whole", ["camera 0 90", ...kTexels], 20],
-  ["aslant", ["camera 25 20", ...kTexels], 20],
+  ["aslant", ["camera 25 20", ...kTexels], 40],
   ["near", ["camera 10 70 250 0 -60 0", ...kTexels], 10],
-  ["lit", ["camera 0 90", "colour scan", "light clay"], 0],
-  ["edited", ["camera 0 90", ...kTexels, "colours 0.2 20"], 0],
+  ["lit", ["camera 25 20", "colour scan", "light clay"], 0],
+  ["edited", ["camera 25 20", ...kTexels, "colours 0.2 20"], 0],
 ];
 
-const showsTheTexelsOfTheWindow = (lab: Lab) =>
-  lab.visit(async (visit) => {
-    await visit.join("shown");
-    const wrong: string[] = [];
-    for (const [name, lines, stripes] of kViews) {
+/** Visits the page anew for each view: finer texels of another view would stay. */
+async function showTheTexelsOfTheWindow(lab: Lab, mean: number, most: number): Promise<void> {
+  const wrong: string[] = [];
+  for (const [name, lines, stripes] of kViews)
+    await lab.visit(async (visit) => {
+      await visit.join("shown");
       await visit.replay([...lines, "wait"]);
       const shown = await visit.picture();
       await visit.screenshot(`textures-${name}`);
       const found = difference(shown, await windowPicture(lab, visit, shown, lines));
-      if (found.mean > 0.5 || found.most > 6 || turns(shown) < stripes)
+      if (found.mean > mean || found.most > most || turns(shown) < stripes)
         wrong.push(`${name}: ${JSON.stringify(found)}, ${turns(shown)} turns`);
-    }
-    assert.deepEqual(wrong, []);
-  });
+    });
+  assert.deepEqual(wrong, []);
+}
 
-test("TexelsOfOpenGlAreThoseOfTheWindow", () => showsTheTexelsOfTheWindow(labs.card));
-test("TexelsOfTheProcessorAreThoseOfTheWindow", () => showsTheTexelsOfTheWindow(labs.processor));
+// OpenGL's samples and filters differ a little from those of processors.
+test("TexelsOfOpenGlAreThoseOfTheWindow", () => showTheTexelsOfTheWindow(labs.card, 1, 24));
+test("TexelsOfTheProcessorAreThoseOfTheWindow", () => showTheTexelsOfTheWindow(labs.processor, 0.01, 0));

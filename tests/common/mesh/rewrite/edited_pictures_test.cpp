@@ -26,7 +26,7 @@ struct Recoloured {
 
 Recoloured recoloured(MeshFormat format, const std::string& content,
                       const std::function<void(TriangleMesh&)>& paint,
-                      const PictureBudget& budget = {}) {
+                      const FileBudget& budget = {}) {
   const TriangleMesh before = parsed(format, content);
   TriangleMesh after = before;
   paint(after);
