@@ -5,7 +5,6 @@
 #include <span>
 #include <string>
 
-#include "common/base/file_budget.h"
 #include "common/base/status.h"
 #include "common/mesh/files_beside.h"
 #include "common/mesh/mesh_format.h"
