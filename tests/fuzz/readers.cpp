@@ -90,7 +90,7 @@ bool read_fuzzed_picture(std::span<const uint8_t> bytes) {
 
 /// An archive as the server bakes it: each triangle finds its material and its picture.
 bool read_fuzzed_textures(std::span<const uint8_t> bytes) {
-  return read_textured_surface(bytes, MeshFormat::kZip, "fuzzed", {},
+  return read_textured_surface(bytes, MeshFormat::kZip, "fuzzed",
                                [](const TexturedSurface& surface) {
                                  for (uint32_t t = 0; t < surface.textures.triangles.size(); ++t)
                                    (void)shown_picture(surface.textures, t);
