@@ -3,6 +3,7 @@
 // Usage: write_vectors FOLDER
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -165,7 +166,8 @@ Status add_sheets(Vectors& vectors) {
     if (canvas != narrowed.end()) canvas[12] = 23;
     vectors.add("sheet", with_width(narrowed, 24));
     Bytes huge = bytes;
-    const auto start = std::ranges::search(huge, std::string_view("\x9d\x01\x2a")).begin();
+    constexpr std::array<uint8_t, 3> kStart = {0x9d, 0x01, 0x2a};  // of a frame, before its size
+    const auto start = std::ranges::search(huge, kStart).begin();
     start[3] = 0xff;
     start[4] = 0x3f;
     vectors.add("sheet", with_width(huge, 24));
