@@ -159,9 +159,9 @@ Result<std::unique_ptr<Server>> Server::start(const ServerOptions& options, Mesh
   if (!state->server) return internal_error("gRPC cannot start a server; its log says why");
   std::unique_ptr<Server> server(new Server(std::move(state)));
   if (!options.web.empty()) {
-    RETURN_IF_ERROR(
-        server->open_web(options, {in_process_channel(*server->state_->server),
-                                   admission_of_door(admission, state->acceptor), door_secret}));
+    RETURN_IF_ERROR(server->open_web(
+        options, {in_process_channel(*server->state_->server),
+                  admission_of_door(admission, server->state_->acceptor), door_secret}));
   }
   server->set_serving(true);
   server->state_->acceptor.start();
