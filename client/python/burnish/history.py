@@ -144,7 +144,7 @@ class Exported:
     lost_volume: str
     """How much of the volume there is, and why not all of it. Empty if it was kept to 1e-6."""
     pictures: str
-    """What became of the scan's pictures under edited colours. Empty if none shows one."""
+    """Says what became of the scan's pictures under edited colours. Empty if none shows one."""
 
     @classmethod
     def of(cls, message: editing_pb2.ExportSummary) -> Exported:

@@ -14,7 +14,7 @@
 
 namespace burnish {
 
-/// What became of the pictures of a scan whose colours are edited.
+/// Says what became of the pictures of a scan whose colours are edited.
 struct PictureReport {
   uint32_t pictures = 0;           ///< that edited triangles show
   uint32_t changed = 0;            ///< that are written with other texels

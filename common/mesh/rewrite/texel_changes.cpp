@@ -84,7 +84,7 @@ class DrawnTriangle {
   double area_;
 };
 
-/// What a triangle adds to one channel: levels of its vertices, and what multiplies the texture.
+/// A triangle's part of one channel: levels of its vertices, and what multiplies the texture.
 struct ChannelPlanes {
   Plane before, after, tint;
 };
