@@ -16,6 +16,11 @@ namespace burnish {
 
 namespace fs = std::filesystem;
 
+// Enough for a journal to open and to delete with, eight times: other programs may fill the disk
+// again between two starts.
+static constexpr uint64_t kSpareBytes = 4 << 20;
+static constexpr uint64_t kSpareSlice = kSpareBytes / 8;
+
 // Only the owner may read scans and edits, whatever the umask. An existing folder keeps its mode.
 static Status make_folder(const fs::path& path) {
   const fs::path folder = path.has_filename() ? path : path.parent_path();
@@ -71,20 +76,21 @@ uint64_t DataFolder::free_bytes() const {
 }
 
 void DataFolder::keep_spare() const {
-  static constexpr off_t kSpareBytes = 1 << 20;
   static constexpr uint64_t kPlentyBytes = 64 << 20;
-  const fs::path spare = path_ / "spare";
   std::error_code error;
-  if (fs::exists(spare, error) || free_bytes() < kPlentyBytes) return;
-  const int file = ::open(spare.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+  if (fs::file_size(spare(), error) == kSpareBytes || free_bytes() < kPlentyBytes) return;
+  const int file = ::open(spare().c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
   if (file < 0) return;
-  if (::posix_fallocate(file, 0, kSpareBytes) != 0) fs::remove(spare, error);
+  if (::posix_fallocate(file, 0, kSpareBytes) != 0) fs::remove(spare(), error);
   ::close(file);
 }
 
 bool DataFolder::give_spare() const {
   std::error_code error;
-  return fs::remove(path_ / "spare", error);
+  const uint64_t size = fs::file_size(spare(), error);
+  if (error || size < kSpareSlice) return false;
+  fs::resize_file(spare(), size - kSpareSlice, error);
+  return !error;
 }
 
 fs::path DataFolder::staging_path(const std::string& suffix) const {

@@ -17,7 +17,7 @@ namespace burnish {
 ///     scans/ID/        original.EXT, info.json, prepared/, pages-formatN.pages; shared if the scan
 ///                      is in the catalogue of a fleet
 ///     staging/         unfinished files; emptied at start
-///     spare            room for a start on a full disk
+///     spare            room for some starts on a full disk
 class DataFolder {
  public:
   /// Makes a missing folder, for its owner alone, takes the lock and empties staging/. Fails:
@@ -39,7 +39,7 @@ class DataFolder {
   /// Keeps a little of the disk while there is plenty. Without it a server could not start on a
   /// full disk, and nobody could delete scans.
   void keep_spare() const;
-  /// Gives that back to the disk. Returns whether there was any.
+  /// Gives a part of that back to the disk, enough for one start. Returns whether there was any.
   bool give_spare() const;
 
   /// Returns an unused path in staging/ that ends with `suffix`.
@@ -47,6 +47,8 @@ class DataFolder {
 
  private:
   DataFolder(std::filesystem::path path, int lock) : path_(std::move(path)), lock_(lock) {}
+
+  std::filesystem::path spare() const { return path_ / "spare"; }
 
   std::filesystem::path path_;
   int lock_;

@@ -93,15 +93,18 @@ class Server:
     def is_alive(self):
         return self.process.poll() is None
 
-    def restart(self):
-        self.process.terminate()
+    def halt(self, politely=False):
+        """Ends the process; its data stay."""
+        if self.is_alive():
+            self.process.send_signal(signal.SIGTERM if politely else signal.SIGKILL)
         self.process.wait(START_S_MAX)
+
+    def restart(self):
+        self.halt(politely=True)
         self.start()
 
     def stop(self):
-        if self.is_alive():
-            self.process.kill()
-        self.process.wait()
+        self.halt()
         self._folder.cleanup()
 
     def log_text(self):
