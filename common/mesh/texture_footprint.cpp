@@ -40,7 +40,7 @@ TextureFootprint::TextureFootprint(const std::array<Eigen::Vector2d, 3>& corners
   std::ranges::sort(bends_);
 }
 
-std::vector<RowRange> TextureFootprint::rows() const {
+std::vector<TexelRows> TextureFootprint::rows() const {
   const double first = std::floor(y_[low_] - 0.5), last = std::floor(y_[high_] - 0.5) + 1;
   const double turn = std::floor(first / height_), turns = std::floor(last / height_) - turn;
   const uint32_t a = folded_row(first, height_, wraps_.v), b = folded_row(last, height_, wraps_.v);
@@ -58,7 +58,7 @@ std::vector<RowRange> TextureFootprint::rows() const {
 
 double TextureFootprint::row_count() const {
   if (!is_clamped()) return height() + 1;
-  const RowRange range = rows()[0];
+  const TexelRows range = rows()[0];
   return range.last - range.first + 1.0;
 }
 

@@ -13,7 +13,7 @@
 namespace burnish {
 
 /// Rows of pixels, both ends included.
-struct RowRange {
+struct TexelRows {
   uint32_t first = 0;
   uint32_t last = 0;
 };
@@ -28,7 +28,7 @@ class TextureFootprint {
                    const TextureWraps& wraps);
 
   /// Returns the rows of the picture that it may touch.
-  std::vector<RowRange> rows() const;
+  std::vector<TexelRows> rows() const;
 
   /// Returns how many rows it touches, each repetition counted.
   double row_count() const;

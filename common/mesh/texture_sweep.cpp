@@ -29,7 +29,7 @@ TextureSweep::TextureSweep(const SurfaceTextures& textures, std::span<const uint
     if (!asks()) return;
     const TextureFootprint footprint = footprint_of(triangle);
     rows += footprint.row_count();
-    for (const RowRange& range : footprint.rows()) visits_.push_back({range, triangle});
+    for (const TexelRows& range : footprint.rows()) visits_.push_back({range, triangle});
   }
   std::ranges::sort(visits_, {}, [](const Visit& visit) { return visit.rows.first; });
   choose_strides(rows / row_visits_max);

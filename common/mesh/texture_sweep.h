@@ -39,7 +39,7 @@ class TextureSweep {
  private:
   /// A triangle's rows.
   struct Visit {
-    RowRange rows;
+    TexelRows rows;
     uint32_t triangle;
   };
 

@@ -8,7 +8,7 @@ namespace {
 /// Returns what each corner weighs over all rows that the triangle names.
 std::array<double, 3> weights_of(const TextureFootprint& footprint, uint32_t stride) {
   std::array<double, 3> weights = {};
-  for (const RowRange& range : footprint.rows())
+  for (const TexelRows& range : footprint.rows())
     for (uint32_t y = range.first; y <= range.last; ++y)
       if (y % stride == 0)
         footprint.for_each_piece(y, stride, [&](int corner, double, double, double weight) {
