@@ -1,156 +1,12 @@
-#include "client/web/core/front.h"
-
-#include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <thread>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
-#include "client/model/figures.h"
-#include "client/scene/null_page_renderer.h"
 #include "common/generate/generate.h"
 #include "common/mesh/mesh_io.h"
-#include "tests/system/server_process.h"
+#include "tests/system/front_service.h"
 
 namespace burnish {
 namespace {
 
-using Json = nlohmann::json;
 using std::chrono::milliseconds;
 using testing::HasSubstr;
-
-/// A page without a browser: a Front over the native model, with a session over a sphere.
-class FrontService : public testing::Test {
- protected:
-  FrontService() {
-    EXPECT_TRUE(owner_.import_scan(write_sphere(server_.folder, 4), "ball", {5, 0}, {}).is_ok());
-    EXPECT_TRUE(owner_.open_session({"ball", "work", {5, 0}}).is_ok());
-  }
-
-  static void SetUpTestSuite() { ::setenv("OMP_WAIT_POLICY", "passive", 0); }
-
-  FrontHost host() {
-    FrontHost host;
-    host.say = [this](const std::string& json) { take(Json::parse(json)); };
-    host.show = [] {};
-    host.is_drawing = [this] { return is_drawing_; };
-    host.give = [](const GivenFile&) {};
-    host.read = [this](const GivenFile& file) -> Result<std::string> { return given_[file.name]; };
-    host.download = [this](const std::string& name, std::string_view bytes) {
-      downloads_[name] = std::string(bytes);
-    };
-    host.begin = [this](std::function<void()> work) { work_ = std::move(work); };
-    host.wait = [this](milliseconds time) {
-      if (meanwhile_) meanwhile_();
-      std::this_thread::sleep_for(time);
-    };
-    return host;
-  }
-
-  void take(const Json& message) {
-    if (message["kind"] == "snapshot") snapshot_ = message["snapshot"];
-    if (message["kind"] == "answer") answers_.push_back(message["message"]);
-    if (message["kind"] == "drawn") drawn_ = message["count"];
-  }
-
-  void hear(const Json& message) { front_.hear(message.dump()); }
-  void line(const std::string& text) { hear({{"kind", "command"}, {"line", text}}); }
-  void point(const std::string& what, double x, double y) {
-    hear({{"kind", "pointer"},
-          {"what", what},
-          {"x", x},
-          {"y", y},
-          {"button", 0},
-          {"modifiers", 0},
-          {"pressure", 1},
-          {"pen", false},
-          {"delta", 0}});
-  }
-
-  /// Ticks until the snapshot is as wished.
-  bool until(const std::function<bool()>& done) {
-    const auto deadline = std::chrono::steady_clock::now() + kPatience;
-    while (std::chrono::steady_clock::now() < deadline) {
-      front_.tick(std::chrono::steady_clock::now());
-      if (work_) std::exchange(work_, {})();
-      if (!snapshot_.is_null() && done()) return true;
-      std::this_thread::sleep_for(milliseconds(2));  // the server has the clock
-    }
-    return false;
-  }
-
-  bool start() {
-    hear({{"kind", "start"},
-          {"width", 400},
-          {"height", 300},
-          {"pixelRatio", 1},
-          {"address", "http://" + server_.address},
-          {"user", "mia"},
-          {"token", ""}});
-    return until([this] { return !snapshot_["library"]["sessions"].empty(); });
-  }
-
-  bool open() {
-    if (!start()) return false;
-    line("session join " + snapshot_["library"]["sessions"][0]["id"].get<std::string>());
-    return until(
-        [this] { return is_settled() && front_.workspace().document()->is_picture_settled(); });
-  }
-
-  bool is_settled() { return !snapshot_["document"].is_null() && document()["settled"] == true; }
-  const Json& document() { return snapshot_["document"]; }
-
-  /// Opens a session over a noisy machined part.
-  bool open_part() {
-    const auto file = server_.folder / "noisy.ply";
-    const auto part = generate_scan({"part", 4000, 1, 0.2, NoiseKind::kGauss});
-    if (!write_mesh(part.value(), file).is_ok()) return false;
-    if (!owner_.import_scan(file, "part", {5, 0}, {}).is_ok()) return false;
-    const auto opened = owner_.open_session({"part", "clean", {5, 0}});
-    if (!opened.is_ok() || !start()) return false;
-    line("session join " + opened->session.id);
-    return until([this] { return is_settled(); });
-  }
-
-  std::string noise() { return document()["edges"]["noise"]; }
-  std::string kept_edges() { return document()["edges"]["preset"]; }
-  bool has_message(const std::string& part) {
-    return snapshot_["messages"].dump().find(part) != std::string::npos;
-  }
-
-  void replay(const std::string& script) {
-    given_["one.script"] = script;
-    hear({{"kind", "replay"},
-          {"file", {{"handle", 1}, {"name", "one.script"}, {"size", script.size()}}}});
-  }
-
-  /// Has the server lose the files that were imported.
-  void lose_originals() {
-    using Files = std::filesystem::recursive_directory_iterator;
-    std::vector<std::filesystem::path> originals;
-    for (const auto& entry : Files(server_.folder.path()))
-      if (entry.path().stem() == "original") originals.push_back(entry.path());
-    ASSERT_FALSE(originals.empty());
-    for (const auto& path : originals) std::filesystem::remove(path);
-  }
-
-  ServerProcess server_;
-  Connection owner_ = Connection::open(server_.address, kPatience).value();
-  NullPageRenderer renderer_;
-  Json snapshot_;
-  std::vector<std::string> answers_;
-  int drawn_ = 0;
-  bool is_drawing_ = false;
-  std::map<std::string, std::string> given_;
-  std::map<std::string, std::string> downloads_;
-  std::function<void()> work_;
-  std::function<void()> meanwhile_;  // what happens while a script waits
-  Front front_{renderer_, Preferences(), WorkspaceOptions{}, host()};
-};
 
 TEST_F(FrontService, TheStartShowsTheServersScansAndSessions) {
   ASSERT_TRUE(start());
@@ -399,152 +255,6 @@ TEST_F(FrontService, EveryFrontCommandOfThePageIsKnown) {
   EXPECT_EQ(downloads_.count("work.script"), 1u);
 }
 
-TEST_F(FrontService, EdgesForThisScanAreOneStepAndTheNoiseIsSaid) {
-  ASSERT_TRUE(open_part());
-  EXPECT_EQ(noise(), "");
-  line("unit mm");
-  line("keep_edges auto");
-  EXPECT_EQ(noise_text(*front_.workspace().document()), "measuring the noise…");
-  ASSERT_TRUE(until([this] { return is_settled() && document()["history"].size() == 2; }));
-  EXPECT_THAT(noise(), HasSubstr("noise about 0.0"));
-  ASSERT_TRUE(until([this] { return noise().ends_with(" mm"); }));
-  EXPECT_EQ(kept_edges(), "machined");
-  EXPECT_NE(document()["fidelity"], 50);
-  line("undo");
-  ASSERT_TRUE(until([this] { return is_settled() && document()["edges"]["strength"] == 0; }));
-  EXPECT_EQ(document()["fidelity"], 50);
-  line("keep_edges auto");  // the answer is known
-  EXPECT_TRUE(until([this] { return is_settled() && document()["history"].size() == 4; }));
-}
-
-TEST_F(FrontService, AScanWithoutNoiseSaysSoAndChangesNothing) {
-  ASSERT_TRUE(open());
-  line("keep_edges auto");
-  ASSERT_TRUE(until([this] { return has_message("too little to take away"); }));
-  EXPECT_THAT(noise(), HasSubstr("too little to take away"));
-  line("beta 0.5");
-  ASSERT_TRUE(until([this] { return is_settled() && document()["history"].size() == 1; }));
-  EXPECT_EQ(document()["edges"]["strength"], 0);
-}
-
-TEST_F(FrontService, APresetOfEdgesThatIsRefusedChangesNothing) {
-  ASSERT_TRUE(open_part());
-  line("bands 1:2");
-  ASSERT_TRUE(until([this] { return is_settled() && document()["history"].size() == 1; }));
-  line("keep_edges relief");
-  ASSERT_TRUE(until([this] { return has_message("refused: bands cannot stand beside"); }));
-  EXPECT_TRUE(until([this] { return is_settled() && document()["edges"]["strength"] == 0; }));
-  EXPECT_EQ(document()["fidelity"], 50);
-  EXPECT_EQ(owner_.history("clean")->size(), 1u);
-}
-
-TEST_F(FrontService, TheBrushKeepsEdgesAsTheNoiseAsksUntilSomebodyChooses) {
-  ASSERT_TRUE(open_part());
-  const auto drag = [this] {
-    const auto is_drawing = [this] {
-      front_.tick(std::chrono::steady_clock::now());
-      return front_.workspace().document()->brush().is_drawing();
-    };
-    for (double x = 100; x < 300; x += 10) {  // the part has a bore
-      point("press", x, 150);
-      if (is_drawing()) return point("release", x, 150);
-      point("release", x, 150);
-    }
-    FAIL() << "the pointer meets no surface";
-  };
-  const auto has = [this](size_t edits) {
-    return until([&] { return is_settled() && document()["history"].size() == edits; });
-  };
-  ASSERT_TRUE(until([this] { return front_.workspace().document()->is_picture_settled(); }));
-  line("brush 0.1 1 1 smooth edges");
-  drag();  // the noise is not known yet
-  ASSERT_TRUE(has(2));
-  EXPECT_EQ(document()["edges"]["strength"], 0);
-  EXPECT_EQ(kept_edges(), "machined");
-  line("undo");
-  line("undo");
-  ASSERT_TRUE(until([this] { return is_settled() && kept_edges() != "machined"; }));
-  drag();
-  ASSERT_TRUE(until([this] { return is_settled() && kept_edges() == "machined"; }));
-  line("undo");
-  ASSERT_TRUE(until([this] { return is_settled() && kept_edges() != "machined"; }))
-      << "the filter and its stroke are one step";
-  line("edges bilateral 0 50 8 0.5");
-  drag();
-  ASSERT_TRUE(has(6));
-  EXPECT_EQ(document()["edges"]["angle"], 50);
-}
-
-TEST_F(FrontService, EdgesThatAreChosenWhileTheNoiseIsMeasuredStay) {
-  ASSERT_TRUE(open_part());
-  line("keep_edges auto");
-  line("keep_edges relief");
-  ASSERT_TRUE(until([this] { return noise().starts_with("noise about") && is_settled(); }));
-  line("beta 0.5");
-  ASSERT_TRUE(until([this] { return is_settled() && document()["history"].size() == 3; }));
-  EXPECT_EQ(kept_edges(), "relief");
-}
-
-TEST_F(FrontService, ADragGoesOnWhileTheNoiseBecomesKnown) {
-  ASSERT_TRUE(open_part());
-  line("preview beta 0.3");
-  line("keep_edges auto");
-  ASSERT_TRUE(until([this] { return noise().starts_with("noise about"); }));
-  EXPECT_EQ(document()["history"].size(), 0u);
-  line("preview beta 0.4");
-  line("beta 0.4");
-  ASSERT_TRUE(until([this] { return is_settled() && document()["history"].size() == 3; }));
-  EXPECT_EQ(kept_edges(), "machined");
-  EXPECT_EQ(document()["beta"], 0.4);
-}
-
-TEST_F(FrontService, ANoiseThatCannotBeMeasuredIsAMessageAndThePanelGoesOn) {
-  ASSERT_TRUE(open_part());
-  lose_originals();
-  line("keep_edges auto");
-  ASSERT_TRUE(until([this] { return has_message("noise: server"); }));
-  EXPECT_EQ(noise(), "");
-  line("keep_edges machined");
-  ASSERT_TRUE(until([this] { return is_settled() && document()["history"].size() == 2; }));
-  EXPECT_EQ(kept_edges(), "machined");
-}
-
-TEST_F(FrontService, AScriptWaitsForTheNoiseBeforeItsNextLine) {
-  ASSERT_TRUE(open_part());
-  replay("join clean\nkeep_edges auto\nbeta 0.5\n");
-  ASSERT_TRUE(until([this] { return has_message("replayed one.script") && is_settled(); }));
-  ASSERT_TRUE(until([this] { return document()["history"].size() == 3; }));
-  EXPECT_THAT(document()["history"][0].dump(), HasSubstr("beta"));
-}
-
-TEST_F(FrontService, AScriptEndsAtANoiseThatCannotBeMeasured) {
-  ASSERT_TRUE(open_part());
-  lose_originals();
-  replay("join clean\nkeep_edges auto\nbeta 0.5\n");
-  EXPECT_TRUE(until([this] { return has_message("one.script:2: keep_edges"); }));
-}
-
-TEST_F(FrontService, TheCommandKeepsEdgesByTheNoiseThatItSays) {
-  ASSERT_TRUE(open_part());
-  const CommandOutcome kept = server_.burnish({"edit", "clean", "--keep-edges", "auto"});
-  EXPECT_EQ(kept.exit_code, 0) << kept.output;
-  EXPECT_THAT(kept.output, HasSubstr("machined part: edges kept at strength 1"));
-  EXPECT_THAT(kept.output, HasSubstr("2 edits applied"));
-  const CommandOutcome less =
-      server_.burnish({"edit", "clean", "--keep-edges", "auto", "--edge-strength", "0.25"});
-  EXPECT_THAT(less.output, HasSubstr("machined part: edges kept at strength 0.25"));
-  const CommandOutcome none =
-      server_.burnish({"edit", "clean", "--keep-edges", "auto", "--edge-strength", "0"});
-  EXPECT_THAT(none.output, HasSubstr("machined part: edges not kept"));
-  const CommandOutcome off = server_.burnish({"edit", "clean", "--keep-edges", "off"});
-  EXPECT_THAT(off.output, HasSubstr("1 edit applied"));
-  EXPECT_THAT(owner_.history("clean")->back().summary, HasSubstr("edges not kept"));
-  const CommandOutcome nothing = server_.burnish({"edit", "work", "--keep-edges", "auto"});
-  EXPECT_EQ(nothing.exit_code, 0) << nothing.output;
-  EXPECT_THAT(nothing.output, HasSubstr("too little to take away"));
-  EXPECT_THAT(nothing.output, HasSubstr("0 edits applied, 0 in all"));
-}
-
 TEST_F(FrontService, ARecordedScriptReplaysTheEdits) {
   ASSERT_TRUE(open());
   line("record start");
@@ -555,25 +265,19 @@ TEST_F(FrontService, ARecordedScriptReplaysTheEdits) {
   const std::string script = downloads_["work.script"];
   EXPECT_THAT(script, HasSubstr("join work"));
   EXPECT_THAT(script, HasSubstr("beta 0.25"));
-  given_["work.script"] = script;
-  hear({{"kind", "replay"},
-        {"file", {{"handle", 1}, {"name", "work.script"}, {"size", script.size()}}}});
+  replay(script);
   ASSERT_TRUE(until([this] { return is_settled() && document()["history"].size() == 2; }));
 }
 
 TEST_F(FrontService, AScriptWhoseSessionIsClosedWhileItWaitsEndsAndSaysSo) {
   ASSERT_TRUE(open());
-  const std::string script = given_["work.script"] = "join work\nbeta 0.25\nwait\n";
   meanwhile_ = [this] {
     const Document* const document = front_.workspace().document();
     if (document && document->link() == LinkState::kLive && document->stats().frames > 0)
       front_.workspace().close_document();
   };
-  hear({{"kind", "replay"},
-        {"file", {{"handle", 1}, {"name", "work.script"}, {"size", script.size()}}}});
-  EXPECT_TRUE(until([this] {
-    return snapshot_["messages"].dump().find("closed while the script waited") != std::string::npos;
-  }));
+  replay("join work\nbeta 0.25\nwait\n");
+  EXPECT_TRUE(until([this] { return has_message("closed while the script waited"); }));
 }
 
 TEST_F(FrontService, AServerThatDoesNotAnswerIsAProblem) {
