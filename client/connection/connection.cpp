@@ -1,7 +1,7 @@
 #include "client/connection/connection.h"
 
 #include "client/connection/channel.h"
-#include "client/connection/connection_state.h"
+#include "client/connection/event_stream.h"
 #include "common/base/text.h"
 #include "common/wire/library_wire.h"
 #include "common/wire/session_wire.h"
@@ -132,15 +132,9 @@ Result<ScanInfo> Connection::prepare_scan(const std::string& scan, const Prepare
   request.set_depth(key.depth);
   request.set_curvature_radius(key.curvature_radius);
   const auto reader = state_->library->PrepareScan(&context, request);
-  v1::PrepareEvent event;
-  v1::ScanInfo done;
-  while (reader->Read(&event)) {
-    if (event.has_done()) done = event.done();
-    if (event.has_progress() &&
-        !report(progress, event.progress().phase(), event.progress().fraction()))
-      context.TryCancel();
-  }
-  RETURN_IF_ERROR(call_status(server(), reader->Finish()));
+  ASSIGN_OR_RETURN(const auto done,
+                   read_until_done<v1::PrepareEvent>(server(), context, *reader, progress,
+                                                     "preparing the scan"));
   return from_wire(done);
 }
 

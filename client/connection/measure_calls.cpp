@@ -1,4 +1,4 @@
-#include "client/connection/connection_state.h"
+#include "client/connection/event_stream.h"
 #include "common/wire/library_wire.h"
 #include "common/wire/measures_wire.h"
 
@@ -9,18 +9,9 @@ Result<EdgeProposal> Connection::propose_edges(const std::string& scan, const Pr
   v1::ProposeEdgesRequest request;
   request.set_scan(scan);
   const auto reader = state_->library->ProposeEdges(&context, request);
-  v1::ProposeEdgesEvent event;
-  v1::EdgeProposal done;
-  bool is_cancelled = false;
-  while (reader->Read(&event)) {
-    if (event.has_done()) done = event.done();
-    if (is_cancelled || !event.has_progress()) continue;
-    is_cancelled = !report(progress, event.progress().phase(), event.progress().fraction());
-    if (is_cancelled) context.TryCancel();
-  }
-  const grpc::Status there = reader->Finish();
-  if (is_cancelled) return cancelled("measuring the noise was cancelled");
-  RETURN_IF_ERROR(call_status(server(), there));
+  ASSIGN_OR_RETURN(const auto done,
+                   read_until_done<v1::ProposeEdgesEvent>(server(), context, *reader, progress,
+                                                          "measuring the noise"));
   return from_wire(done);
 }
 
