@@ -23,6 +23,7 @@ struct FakeEditing::Client {
   uint64_t client_time_us = 0;
   uint64_t previews = 0;
   uint64_t farewells = 0;
+  bool silenced = false;  // it met a silent server: what it said was lost
   bool gone = false;
 };
 
@@ -137,7 +138,7 @@ void FakeEditing::take_edits(Client& client, const v1::ApplyEdits& apply) {
 }
 
 void FakeEditing::take(Client& client, const v1::ClientMessage& message) {
-  if (faults_.silent) return;
+  if (client.silenced |= faults_.silent) return;
   switch (message.message_case()) {
     case v1::ClientMessage::kGreeting: {
       ++seen_.greetings;
@@ -193,7 +194,9 @@ void FakeEditing::change_kind(Client& client, const PageSampler& sampler) {
 bool FakeEditing::make_frame(Client& client) {
   const bool has_news =
       client.shown_version != version_ || client.sent_revision != client.shown.revision();
-  if (faults_.silent || faults_.make_no_frames || client.credits == 0 || !has_news) return false;
+  if (client.silenced || faults_.silent || faults_.make_no_frames || client.credits == 0 ||
+      !has_news)
+    return false;
   client.shown_version = version_;
   client.sent_revision = client.shown.revision();
   if (client.kind != sampler_.kind()) change_kind(client, sampler_);

@@ -24,7 +24,7 @@ class FakeEditing final : public v1::Editing::Service {
   struct Faults {
     bool answer_no_edits = false;  ///< edits are kept, but not acknowledged
     bool make_no_frames = false;
-    bool silent = false;     ///< the server answers nothing
+    bool silent = false;  ///< the server answers nothing, and never again on streams of that time
     int corrupt_frames = 0;  ///< number of next frames to corrupt
     int lost_frames = 0;     ///< frames to drop; the encoder takes them as received
     int late_frames = 0;     ///< frames to send a second time
