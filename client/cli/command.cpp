@@ -1,6 +1,10 @@
 #include "client/cli/command.h"
 
+#include <algorithm>
 #include <iostream>
+#include <vector>
+
+#include "common/base/nearest_word.h"
 
 namespace burnish {
 
@@ -14,14 +18,19 @@ CLI::App* CommandTable::add(const std::string& name, const std::string& descript
   return command;
 }
 
-static bool has_command(const CLI::App& app, const std::string& name) {
-  return !app.get_subcommands([&](const CLI::App* one) { return one->get_name() == name; }).empty();
+static std::vector<std::string> commands_of(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return names;
 }
 
 int CommandTable::run(int argc, char** argv) {
-  if (argc > 1 && argv[1][0] != '-' && !has_command(app_, argv[1])) {
+  const std::vector<std::string> commands = commands_of(app_);
+  if (argc > 1 && argv[1][0] != '-' && std::ranges::find(commands, argv[1]) == commands.end()) {
     std::cerr << app_.get_name() << ": '" << argv[1]
-              << "' is neither a command nor a mesh file; --help lists the commands\n";
+              << "' is neither a command nor a mesh file; --help lists the commands"
+              << did_you_mean(argv[1], commands) << "\n";
     return kExitUsage;
   }
   app_.require_subcommand(1);

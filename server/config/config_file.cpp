@@ -6,6 +6,7 @@
 
 #include <toml++/toml.h>
 
+#include "common/base/nearest_word.h"
 #include "server/config/config_keys.h"
 
 namespace burnish {
@@ -91,6 +92,17 @@ bool is_table_of_keys(const std::string& name) {
   });
 }
 
+/// Returns what a file may name: keys, with their table's name before a dot, and tables.
+std::vector<std::string> known_names() {
+  std::vector<std::string> names;
+  for (const ConfigKey& key : config_keys()) {
+    names.push_back(key.name);
+    if (const size_t dot = key.name.find('.'); dot != std::string::npos)
+      names.push_back(key.name.substr(0, dot));
+  }
+  return names;
+}
+
 Status read_table(const toml::table& table, const std::string& prefix, const std::string& name,
                   ServerConfig& config) {
   const std::filesystem::path folder = std::filesystem::path(name).parent_path();
@@ -102,7 +114,8 @@ Status read_table(const toml::table& table, const std::string& prefix, const std
     } else if (node.is_table() && is_table_of_keys(full)) {
       RETURN_IF_ERROR(read_table(*node.as_table(), full + ".", name, config));
     } else {
-      return invalid_argument(place(name, node) + "unknown key '" + full + "'");
+      return invalid_argument(place(name, node) + "unknown key '" + full + "'" +
+                              did_you_mean(full, known_names()));
     }
   }
   return Status::ok();

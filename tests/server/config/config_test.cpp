@@ -83,9 +83,10 @@ TEST(ConfigFile, EveryKeyIsRead) {
 
 TEST(ConfigFile, AWrongKeyIsRefusedByNameAndLine) {
   EXPECT_THAT(refusal("threads = 1\nthreds = 4\n"),
-              HasSubstr("server.toml:2: unknown key 'threds'"));
+              HasSubstr("server.toml:2: unknown key 'threds'; did you mean 'threads'?"));
   EXPECT_THAT(refusal("[limits]\nsession_max = 4\n"), HasSubstr("'limits.session_max'"));
-  EXPECT_THAT(refusal("[tsl]\nkey = 4\n"), HasSubstr("server.toml:1: unknown key 'tsl'"));
+  EXPECT_THAT(refusal("[tsl]\nkey = 4\n"),
+              HasSubstr("server.toml:1: unknown key 'tsl'; did you mean 'tls'?"));
 }
 
 TEST(ConfigFile, AValueOfTheWrongKindIsRefused) {
