@@ -157,16 +157,22 @@ TEST_F(LiveSessions, LoseNoEditWhenTheServerIsGoneBeforeItsAnswer) {
 
 TEST_F(LiveSessions, HaveAServerThatEndedStartedAgainHoweverOftenThatFails) {
   std::atomic<int> tries = 0;
+  std::atomic<bool> has_ended = false;
   connection_.emplace(Connection::open(server_.address(), milliseconds(10'000)).value());
   connection_->set_starter([&](const Progress& progress) {
     EXPECT_TRUE(report(progress, "", 0));
-    if (++tries == 2) return not_found("no such program");
+    if (++tries == 2) {
+      has_ended.wait(false);  // the link is lost before stop() returns
+      return not_found("no such program");
+    }
     if (tries == 3) server_.start();
     return Status::ok();
   });
   session_ = std::make_unique<SessionLink>(*connection_, options_);
   ASSERT_TRUE(until_live());
   server_.stop();
+  has_ended = true;
+  has_ended.notify_all();
   ASSERT_TRUE(session_->apply(slider("a")).is_ok());
   EXPECT_TRUE(session_->wait_until_acknowledged(milliseconds(20'000)));
   EXPECT_EQ(tries, 3);
