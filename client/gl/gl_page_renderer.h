@@ -31,8 +31,9 @@ class GlPageRenderer : public PageRenderer {
   Status mark_page(uint32_t slot, std::span<const VertexMark> marks) override {
     return arena_.mark_page(slot, marks);
   }
-  Status colour_page(uint32_t slot, std::span<const Rgba8> colours) override {
-    return arena_.colour_page(slot, colours);
+  Status colour_page(uint32_t slot, std::span<const Rgba8> colours,
+                     std::span<const TexelChange> texels) override {
+    return arena_.colour_page(slot, colours, texels);
   }
   uint64_t texture_bytes_max() const override { return textures_.bytes_max(); }
   Status texture_page(uint32_t slot, std::shared_ptr<const PageTexture> texture) override;

@@ -58,9 +58,11 @@ Status PageArena::mark_page(uint32_t slot, std::span<const VertexMark> marks) {
   return check_gl("marks of a page");
 }
 
-Status PageArena::colour_page(uint32_t slot, std::span<const Rgba8> colours) {
+Status PageArena::colour_page(uint32_t slot, std::span<const Rgba8> colours,
+                              std::span<const TexelChange> texels) {
   check_vertices(slot, colours.size());
-  streams_.write_colours(slot, colours);
+  check_vertices(slot, texels.size());
+  streams_.write_colours(slot, colours, texels);
   return check_gl("colours of a page");
 }
 

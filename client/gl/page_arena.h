@@ -28,7 +28,8 @@ class PageArena {
   Status move_page(uint32_t slot, std::span<const Vec3f> displacements,
                    std::span<const Vec3f> normals, std::span<const float> ridges);
   Status mark_page(uint32_t slot, std::span<const VertexMark> marks);
-  Status colour_page(uint32_t slot, std::span<const Rgba8> colours);
+  Status colour_page(uint32_t slot, std::span<const Rgba8> colours,
+                     std::span<const TexelChange> texels);
 
   /// Draws the triangles of a page in another order from now on. Shapes: one number per triangle.
   Status order_page(uint32_t slot, std::span<const uint16_t> triangles);

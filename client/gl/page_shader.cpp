@@ -14,6 +14,7 @@ layout(location = 4) in int displaced_shade;
 layout(location = 5) in float marked_value;  // -127 to 127
 layout(location = 6) in float marked_tint;   // 0 to 1
 layout(location = 8) in vec4 displaced_colour;
+layout(location = 9) in vec4 displaced_texel;  // TexelVertex
 layout(location = 7) in int marked_overlay;  // packed_overlay(), the highest bit as a sign
 uniform mat4 model_view;
 uniform mat4 projection;
@@ -29,7 +30,7 @@ centroid out float hatched;  // 0 to 1
 centroid out float moved;  // along the normal, cells
 centroid out vec3 scan_colour;
 #ifdef TEXTURES
-centroid out vec3 own_colour;
+centroid out vec4 texel_change;
 centroid out vec3 texel_position;
 #endif
 
@@ -58,7 +59,7 @@ void main() {
   moved = still ? 0.0 : dot(displacement, normal_of(shade));
   scan_colour = still ? colour.rgb : displaced_colour.rgb;
 #ifdef TEXTURES
-  own_colour = colour.rgb;
+  texel_change = still ? vec4(0.0, 0.0, 0.0, 1.0) : displaced_texel;
   texel_position = position;
 #endif
   gl_Position = projection * seen;

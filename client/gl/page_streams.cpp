@@ -34,6 +34,7 @@ Result<PageStreams> PageStreams::create(uint32_t slots) {
   ASSIGN_OR_RETURN(made.moving_, create_stream(vertex_bytes<MovingVertex>(slots), what));
   ASSIGN_OR_RETURN(made.marked_, create_stream(vertex_bytes<MarkedVertex>(slots), what));
   ASSIGN_OR_RETURN(made.coloured_, create_stream(vertex_bytes<Rgba8>(slots), what));
+  ASSIGN_OR_RETURN(made.texels_, create_stream(vertex_bytes<TexelVertex>(slots), what));
   ASSIGN_OR_RETURN(made.triangles_,
                    ArenaBuffer::create(GL_ELEMENT_ARRAY_BUFFER, index_bytes(slots), what));
   return made;
@@ -44,6 +45,7 @@ void PageStreams::copy_from(const PageStreams& other, uint32_t slots) const {
   moving_.copy_from(other.moving_, vertex_bytes<MovingVertex>(slots));
   marked_.copy_from(other.marked_, vertex_bytes<MarkedVertex>(slots));
   coloured_.copy_from(other.coloured_, vertex_bytes<Rgba8>(slots));
+  texels_.copy_from(other.texels_, vertex_bytes<TexelVertex>(slots));
   triangles_.copy_from(other.triangles_, index_bytes(slots));
   glFinish();  // NVIDIA's driver 580 lets a write that comes soon after overtake a copy
 }
@@ -59,7 +61,7 @@ void PageStreams::write_page(uint32_t slot, const PageMesh& mesh) const {
   write(still_, slot, still);
   write(moving_, slot, moving);
   write_marks(slot, std::vector<VertexMark>(still.size()));
-  write(coloured_, slot, mesh.colours);
+  write_colours(slot, mesh.colours, std::vector<TexelChange>(still.size()));
   write_triangles(slot, mesh.triangles);
 }
 
@@ -82,8 +84,13 @@ void PageStreams::write_marks(uint32_t slot, std::span<const VertexMark> marks) 
   write(marked_, slot, std::vector<MarkedVertex>(marks.begin(), marks.end()));
 }
 
-void PageStreams::write_colours(uint32_t slot, std::span<const Rgba8> colours) const {
+void PageStreams::write_colours(uint32_t slot, std::span<const Rgba8> colours,
+                                std::span<const TexelChange> texels) const {
   coloured_.write(vertex_bytes<Rgba8>(slot), std::as_bytes(colours));
+  std::vector<TexelVertex> changes(texels.size());
+  for (size_t v = 0; v < changes.size(); ++v)
+    changes[v] << texels[v].light.cast<Eigen::half>(), Eigen::half(texels[v].gain);
+  write(texels_, slot, changes);
 }
 
 template <typename Vertex>
@@ -114,6 +121,8 @@ void PageStreams::bind() const {
   bind_integer<MarkedVertex>(7, GL_SHORT, offsetof(VertexMark, overlay));
   coloured_.bind(GL_ARRAY_BUFFER);
   bind_attribute<Rgba8>(8, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0);
+  texels_.bind(GL_ARRAY_BUFFER);
+  bind_attribute<TexelVertex>(9, 4, GL_HALF_FLOAT, GL_FALSE, 0);
   bind_triangles();
 }
 

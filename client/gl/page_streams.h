@@ -8,7 +8,7 @@
 namespace burnish {
 
 /// The numbers of all slots' pages on the graphics card. A slot has room for kPageVerticesMax
-/// vertices and kPageTrianglesMax triangles, which is 136 KB. Needs: a current context for its
+/// vertices and kPageTrianglesMax triangles, which is 152 KB. Needs: a current context for its
 /// whole life; slots inside the room, pages within the limits.
 class PageStreams {
  public:
@@ -23,7 +23,8 @@ class PageStreams {
   void write_moves(uint32_t slot, std::span<const Vec3f> displacements,
                    std::span<const Vec3f> normals, std::span<const float> ridges) const;
   void write_marks(uint32_t slot, std::span<const VertexMark> marks) const;
-  void write_colours(uint32_t slot, std::span<const Rgba8> colours) const;
+  void write_colours(uint32_t slot, std::span<const Rgba8> colours,
+                     std::span<const TexelChange> texels) const;
   void write_triangles(uint32_t slot, std::span<const PageTriangle> triangles) const;
 
   /// Makes all of it the input of the current vertex array.
@@ -41,6 +42,7 @@ class PageStreams {
   ArenaBuffer moving_;
   ArenaBuffer marked_;
   ArenaBuffer coloured_;   // the displaced surface
+  ArenaBuffer texels_;     // likewise
   ArenaBuffer triangles_;  // numbers of vertices in the whole arena: WebGL2 adds no first vertex
 };
 

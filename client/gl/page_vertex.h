@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-// A vertex of a page on the graphics card: 44 bytes in four streams, since they change at
+// A vertex of a page on the graphics card: 52 bytes in five streams, since they change at
 // different times. Both the displaced and the original surface are drawn from them.
 
 /// A unit normal in two integers of 12 bits, x lowest, and a ridge (vertex_ridges()) times 127 in
@@ -43,6 +43,10 @@ struct MovingVertex {
   PackedShade shade;
 };
 static_assert(sizeof(MovingVertex) == 16);
+
+/// A TexelChange: the light, and the gain.
+using TexelVertex = Eigen::Matrix<Eigen::half, 4, 1>;
+static_assert(sizeof(TexelVertex) == 8);
 
 /// Comes with values and tints.
 using MarkedVertex = VertexMark;

@@ -5,7 +5,7 @@ namespace burnish {
 
 const char* const kPageTexels = R"(
 #ifdef TEXTURES
-centroid in vec3 own_colour;      // of the page, whatever edits do
+centroid in vec4 texel_change;    // its light, and the gain
 centroid in vec3 texel_position;  // as original_position, but never outside the triangle
 uniform vec4 chart[3];  // u and v, to texels; the layer, and 1 if there is one
 uniform sampler2DArray sheets;
@@ -25,9 +25,8 @@ vec3 sheet_colour(vec3 right, vec3 up) {
 
 vec3 surface_colour() {
   vec3 right = dFdx(original_position), up = dFdy(original_position);
-  vec3 plain = linear(scan_colour);
-  if (chart[2].y == 0.0) return plain;
-  return max(linear(sheet_colour(right, up)) + plain - linear(own_colour), 0.0);
+  if (chart[2].y == 0.0) return linear(scan_colour);
+  return max(texel_change.a * linear(sheet_colour(right, up)) + texel_change.rgb, 0.0);
 }
 #else
 vec3 surface_colour() { return linear(scan_colour); }

@@ -175,21 +175,26 @@ ShadeVector texture_colour(const SeenTriangle& triangle, uint32_t number, const 
   return linear(texel_colour(texture, place, step(steps.right), step(steps.down)));
 }
 
-// Where an edit changes a page's colours, its texels change by as much.
+ShadeVector changed_texel(const SeenTriangle& triangle, const Weights& weights, ShadeVector texel) {
+  const auto at = [&](int i) { return triangle.page.moved_texels[triangle.corners[i]]; };
+  const float gain = between(weights, [&](int i) { return at(i).gain; });
+  const auto changed = [&](float light, int channel) {
+    return greater(gain * light + between(weights, [&](int i) { return at(i).light[channel]; }), 0);
+  };
+  return {changed(texel.x, 0), changed(texel.y, 1), changed(texel.z, 2)};
+}
+
 ShadeVector scan_colour(const SeenTriangle& triangle, uint32_t number, const Weights& weights,
                         float x, float y) {
   const RasterPage& page = triangle.page;
-  const std::span<const Rgba8> shown = page.colours(triangle.of_original);
-  if (page.texture == nullptr) return colour_between(triangle, weights, shown);
-  const ShadeVector colour = texture_colour(triangle, number, weights, x, y);
-  if (page.original_colours.empty()) return colour;
-  const bool is_changed = std::ranges::any_of(triangle.corners, [&](uint16_t corner) {
-    return shown[corner] != page.original_colours[corner];
-  });
-  if (!is_changed) return colour;
-  const ShadeVector changed = colour + colour_between(triangle, weights, shown) -
-                              colour_between(triangle, weights, page.original_colours);
-  return {greater(changed.x, 0), greater(changed.y, 0), greater(changed.z, 0)};
+  if (page.texture == nullptr)
+    return colour_between(triangle, weights, page.colours(triangle.of_original));
+  const ShadeVector texel = texture_colour(triangle, number, weights, x, y);
+  const bool is_changed = !triangle.of_original && !page.moved_texels.empty() &&
+                          std::ranges::any_of(triangle.corners, [&](uint16_t corner) {
+                            return !page.moved_texels[corner].is_none();
+                          });
+  return is_changed ? changed_texel(triangle, weights, texel) : texel;
 }
 
 // As `overlay` of the vertex shader: sRGB times the fourth.

@@ -42,6 +42,7 @@ struct RasterPage {
   std::vector<VertexMark> marks;
   std::vector<Rgba8> original_colours;
   std::vector<Rgba8> moved_colours;
+  std::vector<TexelChange> moved_texels;
   std::shared_ptr<const PageTexture> texture;  // null: there is none
 
   size_t vertices() const { return original.positions.size(); }

@@ -79,10 +79,13 @@ Status RasterPageRenderer::mark_page(uint32_t slot, std::span<const VertexMark> 
   });
 }
 
-Status RasterPageRenderer::colour_page(uint32_t slot, std::span<const Rgba8> colours) {
+Status RasterPageRenderer::colour_page(uint32_t slot, std::span<const Rgba8> colours,
+                                       std::span<const TexelChange> texels) {
+  filled(slot, texels.size());
   RasterPage& page = filled(slot, colours.size());
   return with_memory_for("colours of a page", [&] {
     page.moved_colours.assign(colours.begin(), colours.end());
+    page.moved_texels.assign(texels.begin(), texels.end());
     return Status::ok();
   });
 }

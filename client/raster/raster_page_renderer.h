@@ -32,7 +32,8 @@ class RasterPageRenderer : public PageRenderer {
   Status move_page(uint32_t slot, std::span<const Vec3f> displacements,
                    std::span<const Vec3f> normals, std::span<const float> ridges) override;
   Status mark_page(uint32_t slot, std::span<const VertexMark> marks) override;
-  Status colour_page(uint32_t slot, std::span<const Rgba8> colours) override;
+  Status colour_page(uint32_t slot, std::span<const Rgba8> colours,
+                     std::span<const TexelChange> texels) override;
   uint64_t texture_bytes_max() const override { return kTextureBytesMax; }
   Status texture_page(uint32_t slot, std::shared_ptr<const PageTexture> texture) override;
   Status draw(const Camera& camera, const ImageSize& size, const DrawStyle& style,

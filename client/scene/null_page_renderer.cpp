@@ -41,7 +41,9 @@ Status NullPageRenderer::mark_page(uint32_t slot, std::span<const VertexMark> ma
   return Status::ok();
 }
 
-Status NullPageRenderer::colour_page(uint32_t slot, std::span<const Rgba8> colours) {
+Status NullPageRenderer::colour_page(uint32_t slot, std::span<const Rgba8> colours,
+                                     std::span<const TexelChange> texels) {
+  filled(slot, texels.size()).texels = {texels.begin(), texels.end()};
   filled(slot, colours.size()).colours = {colours.begin(), colours.end()};
   return Status::ok();
 }

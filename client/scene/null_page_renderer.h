@@ -16,7 +16,8 @@ class NullPageRenderer : public PageRenderer {
   Status move_page(uint32_t slot, std::span<const Vec3f> displacements,
                    std::span<const Vec3f> normals, std::span<const float> ridges) override;
   Status mark_page(uint32_t slot, std::span<const VertexMark> marks) override;
-  Status colour_page(uint32_t slot, std::span<const Rgba8> colours) override;
+  Status colour_page(uint32_t slot, std::span<const Rgba8> colours,
+                     std::span<const TexelChange> texels) override;
   Status texture_page(uint32_t slot, std::shared_ptr<const PageTexture> texture) override;
   Status draw(const Camera& camera, const ImageSize& size, const DrawStyle& style,
               std::span<const PatchRange> patches) override;
@@ -35,6 +36,7 @@ class NullPageRenderer : public PageRenderer {
   std::span<const float> ridges(uint32_t slot) const { return slots_[slot].ridges; }
   std::span<const VertexMark> marks(uint32_t slot) const { return slots_[slot].marks; }
   std::span<const Rgba8> colours(uint32_t slot) const { return slots_[slot].colours; }
+  std::span<const TexelChange> texels(uint32_t slot) const { return slots_[slot].texels; }
   const PageTexture* texture(uint32_t slot) const { return slots_[slot].texture.get(); }
 
  private:
@@ -45,6 +47,7 @@ class NullPageRenderer : public PageRenderer {
     std::vector<float> ridges;   // displaced
     std::vector<VertexMark> marks;
     std::vector<Rgba8> colours;  // displaced
+    std::vector<TexelChange> texels;
     std::shared_ptr<const PageTexture> texture;
   };
   Slot& filled(uint32_t slot, size_t vertices);

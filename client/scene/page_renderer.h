@@ -13,6 +13,7 @@
 #include "client/scene/page_space.h"
 #include "client/scene/page_texture.h"
 #include "common/base/status.h"
+#include "common/mesh/texel_change.h"
 
 namespace burnish {
 
@@ -72,15 +73,16 @@ class PageRenderer {
   /// Shapes: one per vertex of the page in the slot.
   virtual Status mark_page(uint32_t slot, std::span<const VertexMark> marks) = 0;
 
-  /// Gives the displaced surface of a page other colours than its original has. Shapes: one per
-  /// vertex of the page in the slot.
-  virtual Status colour_page(uint32_t slot, std::span<const Rgba8> colours) = 0;
+  /// Gives the displaced surface of a page other colours than its original has, and its texels the
+  /// change that goes with them. Shapes: one per vertex of the page in the slot.
+  virtual Status colour_page(uint32_t slot, std::span<const Rgba8> colours,
+                             std::span<const TexelChange> texels) = 0;
 
   /// Returns how many bytes of textures have room; 0: texture_page() has no effect.
   virtual uint64_t texture_bytes_max() const { return 0; }
 
   /// Gives a page a texture, which pictures show in place of its vertices' colours; null takes it
-  /// away. Where colour_page() has changed a colour, the texels change by as much in linear light.
+  /// away. Texels of the displaced surface change as colour_page() says.
   /// Needs: the page in the slot has one triangle per chart number, and the texture's patches are
   /// those that draw() draws, alone or several in a row. Fails: resource_exhausted; then
   /// the page has no texture.

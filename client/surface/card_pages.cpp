@@ -11,12 +11,18 @@
 
 namespace burnish {
 
-static std::vector<Rgba8> changed_colours(std::span<const Rgba8> colours,
-                                          std::span<const Vec3f> cells) {
-  std::vector<Rgba8> changed(colours.begin(), colours.end());
-  for (size_t v = 0; v < changed.size(); ++v)
-    if (!cells[v].isZero()) changed[v] = changed_colour(changed[v], cells[v] / kCellsPerColour);
-  return changed;
+/// Gives a page's colours the change of a frame. Without gains texels change as their vertices.
+static Status colour_page(PageRenderer& renderer, PageSlot number, std::span<const Rgba8> before,
+                          const PageMove& change, const PageMove* gains) {
+  std::vector<Rgba8> colours(before.begin(), before.end());
+  std::vector<TexelChange> texels(before.size());
+  for (size_t v = 0; v < colours.size(); ++v) {
+    const Vec3f light = change.displacements[v] / kCellsPerColour;
+    const float gain = gains ? 1 + gains->displacements[v].x() / kCellsPerColour : 1;
+    colours[v] = changed_colour(before[v], light);
+    texels[v] = texel_change(before[v], light, gain);
+  }
+  return renderer.colour_page(number, colours, texels);
 }
 
 CardPages::CardPages(const PageGrid& grid, int depth) : grid_(grid), depth_(depth) {}
@@ -39,7 +45,7 @@ Result<uint32_t> CardPages::open(PageRenderer& renderer, uint32_t slots) {
 
 Status CardPages::put(PageSlot slot, const Page& page, PageMesh mesh) {
   BURNISH_CHECK(slot < slots_.size(), "slots are reserved");
-  slots_[slot] = {page.id, {}, nullptr, {}, nullptr, nullptr};
+  slots_[slot] = {page.id, {}, nullptr, {}, nullptr, nullptr, nullptr};
   slots_[slot].cells.reserve(page.positions.size());
   for (const Vec3i& position : page.positions)
     slots_[slot].cells.push_back(cell_place(position, grid_.bits, depth_).cell);
@@ -53,8 +59,7 @@ Result<bool> CardPages::show(std::span<const DrawnRange> drawn, const SurfaceFra
   for (const DrawnRange& range : drawn) {
     if (std::exchange(done, range.slot) == range.slot) continue;
     is_changed |= move_to(frame.share(range.page), range.slot);
-    ASSIGN_OR_RETURN(const bool is_coloured,
-                     colour_as(frame.share(range.page | kColourPages), range.slot));
+    ASSIGN_OR_RETURN(const bool is_coloured, colour_as(frame, range));
     ASSIGN_OR_RETURN(const bool is_marked, mark_as(marks, range.slot));
     is_changed |= is_marked || is_coloured;
   }
@@ -82,13 +87,15 @@ bool CardPages::move_to(std::shared_ptr<const PageMove> move, PageSlot number) {
 }
 
 // Without a change in the frame the last colours stay.
-Result<bool> CardPages::colour_as(std::shared_ptr<const PageMove> change, PageSlot number) {
-  Slot& slot = slots_[number];
-  if (change == nullptr || slot.coloured == change) return false;
-  slot.coloured = std::move(change);
-  const std::vector<Rgba8>& before = surface_->at(number).mesh.colours;
-  RETURN_IF_ERROR(
-      renderer_->colour_page(number, changed_colours(before, slot.coloured->displacements)));
+Result<bool> CardPages::colour_as(const SurfaceFrame& frame, const DrawnRange& range) {
+  Slot& slot = slots_[range.slot];
+  const auto change = frame.share(range.page | kColourPages);
+  const auto gains = frame.share(range.page | kGainPages);
+  if (change == nullptr || (slot.coloured == change && slot.gains == gains)) return false;
+  slot.coloured = change;
+  slot.gains = gains;
+  const std::vector<Rgba8>& before = surface_->at(range.slot).mesh.colours;
+  RETURN_IF_ERROR(colour_page(*renderer_, range.slot, before, *change, gains.get()));
   return true;
 }
 

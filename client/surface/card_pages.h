@@ -52,11 +52,12 @@ class CardPages {
     std::shared_ptr<const PageMove> moved;       // as the renderer has it
     PageMarks::Mark mark;                        // likewise
     std::shared_ptr<const PageMove> coloured;    // likewise
+    std::shared_ptr<const PageMove> gains;       // likewise; null: of 1
     std::shared_ptr<const PageTexture> texture;  // likewise; null: none
   };
   bool list_patches(std::span<const DrawnRange> drawn);
   bool move_to(std::shared_ptr<const PageMove> move, PageSlot slot);
-  Result<bool> colour_as(std::shared_ptr<const PageMove> change, PageSlot slot);
+  Result<bool> colour_as(const SurfaceFrame& frame, const DrawnRange& range);
   Result<bool> mark_as(const PageMarks& marks, PageSlot slot);
 
   PageGrid grid_;

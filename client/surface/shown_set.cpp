@@ -14,7 +14,7 @@ ShownSet::Change ShownSet::change(const ChosenCut& cut, const PageCache& cache,
   Change change;
   remove(cut, server_vertices_max, change);
   add(cut, cache, frame, vertices_in_flight_max, change);
-  if (shows_colours_) add_colours(cut, cache, change);
+  for (const PageId extra : extras()) add_extra(extra, cut, cache, change);
   return change;
 }
 
@@ -44,17 +44,23 @@ void ShownSet::add(const ChosenCut& cut, const PageCache& cache, const SurfaceFr
   }
 }
 
+std::vector<PageId> ShownSet::extras() const {
+  if (!shows_colours_) return {};
+  return shows_gains_ ? std::vector{kColourPages, kGainPages} : std::vector{kColourPages};
+}
+
 // Pages come before their colours: a picture without a page has a hole.
-void ShownSet::add_colours(const ChosenCut& cut, const PageCache& cache, Change& change) {
+void ShownSet::add_extra(PageId extra, const ChosenCut& cut, const PageCache& cache,
+                         Change& change) {
   for (auto wanted = cut.used.rbegin(); wanted != cut.used.rend(); ++wanted) {
     if (shown_.size() >= kShownPagesMax) return;
-    const PageId colours = wanted->page | kColourPages;
+    const PageId number = wanted->page | extra;
     const CachedPage* cached = cache.find(wanted->page);
     if (cached == nullptr || cached->page == nullptr || !shown_.contains(wanted->page)) continue;
-    if (cached->page->colours.empty() || shown_.contains(colours)) continue;
+    if (cached->page->colours.empty() || shown_.contains(number)) continue;
     auto page = std::make_shared<Page>(*cached->page);
-    page->id = colours;
-    shown_[colours] = static_cast<uint32_t>(page->positions.size());
+    page->id = number;
+    shown_[number] = static_cast<uint32_t>(page->positions.size());
     change.added.push_back(std::move(page));
   }
 }
@@ -63,9 +69,9 @@ void ShownSet::add_colours(const ChosenCut& cut, const PageCache& cache, Change&
 void ShownSet::remove(const ChosenCut& cut, uint64_t server_vertices_max, Change& change) {
   std::unordered_set<PageId> needed(cut.pages.begin(), cut.pages.end());
   for (const WantedPage& wanted : cut.used) needed.insert(wanted.page);
-  if (shows_colours_)
-    for (const PageId page : std::vector(needed.begin(), needed.end()))
-      needed.insert(page | kColourPages);
+  const std::vector<PageId> pages(needed.begin(), needed.end()), more = extras();
+  for (const PageId page : pages)
+    for (const PageId extra : more) needed.insert(page | extra);
   std::vector<PageId> unneeded;
   for (const auto& [page, vertices] : shown_)
     if (!needed.contains(page)) unneeded.push_back(page);

@@ -13,8 +13,8 @@
 namespace burnish {
 
 /// Decides which pages the frames of a live session carry: those of which the picture is made, and
-/// those that will make it finer. Removes pages late, because a camera comes back. Colours come as
-/// pages of their own, where pictures show them.
+/// those that will make it finer. Removes pages late, because a camera comes back. Colours, and the
+/// gains of texels, come as pages of their own, where pictures show them.
 class ShownSet {
  public:
   struct Change {
@@ -32,8 +32,10 @@ class ShownSet {
 
   /// Shows colours from the next change() on, or no more.
   void show_colours(bool shows) { shows_colours_ = shows; }
-  /// Returns how often a server counts the vertices of a page: its colours count again.
-  uint64_t copies() const { return shows_colours_ ? 2 : 1; }
+  /// Shows gains beside the colours, or no more. Needs: a server that has sheets.
+  void show_gains(bool shows) { shows_gains_ = shows; }
+  /// Returns how often a server counts the vertices of a page: its colours and gains count again.
+  uint64_t copies() const { return 1 + extras().size(); }
 
   size_t page_count() const { return shown_.size(); }
   uint64_t vertex_count() const;
@@ -41,10 +43,12 @@ class ShownSet {
  private:
   void add(const ChosenCut& cut, const PageCache& cache, const SurfaceFrame* frame,
            uint64_t vertices_in_flight_max, Change& change);
-  void add_colours(const ChosenCut& cut, const PageCache& cache, Change& change);
+  /// Returns what stands for pages of colours and gains that are shown.
+  std::vector<PageId> extras() const;
+  void add_extra(PageId extra, const ChosenCut& cut, const PageCache& cache, Change& change);
   void remove(const ChosenCut& cut, uint64_t server_vertices_max, Change& change);
 
-  bool shows_colours_ = false;
+  bool shows_colours_ = false, shows_gains_ = false;
   std::unordered_map<PageId, uint32_t> shown_;  // vertices by page
 };
 

@@ -12,6 +12,7 @@ namespace {
 
 std::string name_of(PageId page) {
   const std::string name = "page " + std::to_string(page_in_file(page));
+  if (is_gains(page)) return "gains of " + name;
   return is_colours(page) ? "colours of " + name : name;
 }
 

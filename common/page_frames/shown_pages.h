@@ -16,12 +16,20 @@ namespace burnish {
 inline constexpr PageId kColourPages = PageId{1} << 31;
 inline constexpr float kCellsPerColour = 16;
 
+/// A page number plus this stands for the gains of the page's texels, less 1: in the place of red,
+/// and in the same units. Green and blue are 0.
+inline constexpr PageId kGainPages = kColourPages | PageId{1} << 30;
+
+/// Returns true for pages of gains, too.
 constexpr bool is_colours(PageId page) {
   return (page & kColourPages) != 0;
 }
-/// Returns the page whose colours these are, or the page itself.
+constexpr bool is_gains(PageId page) {
+  return (page & kGainPages) == kGainPages;
+}
+/// Returns the page whose colours or gains these are, or the page itself.
 constexpr PageId page_in_file(PageId page) {
-  return page & ~kColourPages;
+  return page & ~kGainPages;
 }
 
 /// A page in a stream of frames.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/mesh/texel_change.h"
+
 namespace burnish {
 
 static double light_of(double share) {
@@ -11,7 +13,7 @@ static double light_of(double share) {
 
 ShownLight::ShownLight() {
   for (size_t i = 0; i < lights_.size(); ++i)
-    lights_[i] = static_cast<float>(light_of(static_cast<double>(i) / (kLevels * kPartsOfLevel)));
+    lights_[i] = static_cast<float>(light_of(static_cast<double>(i) / kLevels));
   for (int byte = 0; byte <= kLevels; ++byte)
     begins_[static_cast<size_t>(byte)] = static_cast<float>(light_of((byte - 0.5) / kLevels));
   size_t byte = 0;
@@ -23,7 +25,7 @@ ShownLight::ShownLight() {
 }
 
 float ShownLight::of_value(uint16_t value, uint16_t max) const {
-  if (max == kLevels) return lights_[size_t{value} * kPartsOfLevel];
+  if (max == kLevels) return lights_[value];
   return std::pow(static_cast<float>(value) / max, static_cast<float>(kShownGamma));
 }
 

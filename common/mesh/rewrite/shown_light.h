@@ -1,27 +1,15 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace burnish {
-
-/// The gamma that renderers take colours of scans for (kGamma of client/scene/shade_constants.h).
-inline constexpr double kShownGamma = 2.2;
 
 /// Turns the colours of files into the light that renderers add and mix, and back. Light is 0 to 1.
 class ShownLight {
  public:
   ShownLight();
-
-  /// Returns the light of a level, 0 to 255, which may lie between two bytes. Others are cut off.
-  float of_level(float level) const {
-    if (!(level > 0)) return 0;
-    const float place = std::min(level, static_cast<float>(kLevels)) * kPartsOfLevel;
-    const auto below = static_cast<int>(place);
-    const float* light = &lights_[static_cast<size_t>(below)];
-    return light[0] + (place - static_cast<float>(below)) * (light[1] - light[0]);
-  }
 
   /// Returns the light of a channel, 0 to `max`: 255 or 65535.
   float of_value(uint16_t value, uint16_t max) const;
@@ -39,11 +27,11 @@ class ShownLight {
  private:
   static uint16_t fine_value_of(float light, uint16_t max);
 
-  static constexpr int kLevels = 255, kPartsOfLevel = 16, kParts = 4096;
+  static constexpr int kLevels = 255, kParts = 4096;
 
-  std::array<float, kLevels * kPartsOfLevel + 2> lights_;  // by level
-  std::array<float, kLevels + 1> begins_;                  // the least light of each byte
-  std::array<uint8_t, kParts + 1> bytes_;                  // not above that of a light
+  std::array<float, kLevels + 1> lights_;  // of each byte
+  std::array<float, kLevels + 1> begins_;  // the least light of each byte
+  std::array<uint8_t, kParts + 1> bytes_;  // not above that of a light
 };
 
 }  // namespace burnish

@@ -84,26 +84,31 @@ class DrawnTriangle {
   double area_;
 };
 
-/// A triangle's part of one channel: levels of its vertices, and what multiplies the texture.
+/// A triangle's part of one channel: the change of its light, and what multiplies the texture.
 struct ChannelPlanes {
-  Plane before, after, tint;
+  Plane light, tint;
 };
 
-ChannelPlanes planes_of(const TexturedSurface& surface, const ColourEdit& edit,
+using ChangedCorners = std::array<TexelChange, 3>;
+
+ChannelPlanes planes_of(const TexturedSurface& surface, const ChangedCorners& corners,
                         const DrawnTriangle& drawn, uint32_t triangle, size_t channel) {
   const SurfaceTextures& textures = surface.textures;
   const float factor =
       textures.materials[textures.triangles[triangle].material].factor[static_cast<int>(channel)];
-  std::array<double, 3> before, after, tint;
+  std::array<double, 3> light, tint;
   tint.fill(factor);
   for (size_t k = 0; k < 3; ++k) {
     const uint32_t v = surface.mesh.triangles[triangle][k];
-    before[k] = edit.before[v][channel];
-    after[k] = edit.after[v][channel];
+    light[k] = corners[k].light[static_cast<int>(channel)];
     if (surface.mesh.has_colours())
       tint[k] *= double{linear_of_srgb(surface.mesh.colours[v][channel])};
   }
-  return {drawn.between(before), drawn.between(after), drawn.between(tint)};
+  return {drawn.between(light), drawn.between(tint)};
+}
+
+Plane gain_plane(const ChangedCorners& corners, const DrawnTriangle& drawn) {
+  return drawn.between({corners[0].gain - 1.0, corners[1].gain - 1.0, corners[2].gain - 1.0});
 }
 
 }  // namespace
@@ -171,9 +176,9 @@ bool TexelChanges::draw_rows(uint32_t first, uint32_t end) {
 bool TexelChanges::take_means(std::span<Change> row) {
   bool is_changed = false;
   for (Change& change : row)
-    for (float& light : change.light) {
-      if (change.triangles > 1) light /= change.triangles;
-      is_changed = is_changed || light != 0;
+    for (float& part : change.parts) {
+      if (change.triangles > 1) part /= change.triangles;
+      is_changed = is_changed || part != 0;
     }
   return is_changed;
 }
@@ -181,10 +186,14 @@ bool TexelChanges::take_means(std::span<Change> row) {
 void TexelChanges::draw(uint32_t triangle, uint32_t from, uint32_t to, uint32_t first) {
   const DrawnTriangle drawn(place_.corners(triangle));
   if (!drawn.has_area()) return;
-  const bool is_edited = edit_.changes(surface_.mesh.triangles[triangle]);
+  const Triangle& vertices = surface_.mesh.triangles[triangle];
+  const bool is_edited = edit_.changes(vertices);
+  ChangedCorners corners;
+  for (size_t k = 0; is_edited && k < 3; ++k) corners[k] = edit_.texel(vertices[k]);
   std::array<ChannelPlanes, 3> planes;
   for (size_t i = 0; is_edited && i < 3; ++i)
-    planes[i] = planes_of(surface_, edit_, drawn, triangle, i);
+    planes[i] = planes_of(surface_, corners, drawn, triangle, i);
+  const Plane gain = gain_plane(corners, drawn);
   for (uint32_t y = from; y < to; ++y) {
     const auto [begin, end] = drawn.columns(y, width_);
     if (begin >= end) continue;
@@ -194,24 +203,25 @@ void TexelChanges::draw(uint32_t triangle, uint32_t from, uint32_t to, uint32_t 
       if (texel.triangles < std::numeric_limits<uint16_t>::max()) ++texel.triangles;
     }
     for (size_t i = 0; is_edited && i < 3; ++i)
-      add_row(texels, i, planes[i].before.at(begin, y), planes[i].after.at(begin, y),
-              planes[i].tint.at(begin, y));
+      add_row(texels, i, planes[i].light.at(begin, y), planes[i].tint.at(begin, y));
+    if (is_edited) add_gains(texels, gain.at(begin, y));
   }
 }
 
-/// Adds the change of a channel to texels side by side. Values and their steps: levels before and
-/// after, and the factor of the texture.
-void TexelChanges::add_row(std::span<Change> texels, size_t channel, std::array<float, 2> before,
-                           std::array<float, 2> after, std::array<float, 2> tint) const {
-  if (before == after) return;
+/// Adds the change of a channel to texels side by side. Values and their steps: of the light, and
+/// of the factor of the texture.
+void TexelChanges::add_row(std::span<Change> texels, size_t channel, std::array<float, 2> light,
+                           std::array<float, 2> tint) {
   for (size_t x = 0; x < texels.size(); ++x) {
     const auto step = static_cast<float>(x);
     const float shown = tint[0] + step * tint[1];
-    if (shown < kLeastTint) continue;
-    texels[x].light[channel] += (light_.of_level(after[0] + step * after[1]) -
-                                 light_.of_level(before[0] + step * before[1])) /
-                                shown;
+    if (shown >= kLeastTint) texels[x].parts[channel] += (light[0] + step * light[1]) / shown;
   }
+}
+
+void TexelChanges::add_gains(std::span<Change> texels, std::array<float, 2> gain) {
+  for (size_t x = 0; x < texels.size(); ++x)
+    texels[x].parts[3] += gain[0] + static_cast<float>(x) * gain[1];
 }
 
 /// Gives texels without a change the mean of those around that have lower levels.
@@ -235,10 +245,10 @@ void TexelChanges::find_around(uint32_t row, uint32_t rows, uint16_t level,
         const Change& near = changes_[size_t{y} * width_ + i];
         if (near.level == 0) continue;
         ++count;
-        for (size_t c = 0; c < 3; ++c) one.change.light[c] += near.light[c];
+        for (size_t c = 0; c < 4; ++c) one.change.parts[c] += near.parts[c];
       }
     if (count == 0) continue;
-    for (float& light : one.change.light) light /= count;
+    for (float& part : one.change.parts) part /= count;
     one.change.level = level;
     found.push_back(one);
   }
@@ -251,9 +261,12 @@ uint64_t TexelChanges::apply(std::span<const Change> changes, std::span<FileTexe
 #pragma omp parallel for schedule(static) reduction(+ : shared)
   for (size_t t = 0; t < texels.size(); ++t) {
     const FileTexel before = texels[t];
-    for (size_t i = 0; i < 3; ++i)
-      if (changes[t].light[i] != 0)
-        texels[t][i] = light_.value_of(light_.of_value(before[i], max) + changes[t].light[i], max);
+    const std::array<float, 4>& parts = changes[t].parts;
+    for (size_t i = 0; i < 3; ++i) {
+      if (parts[i] == 0 && parts[3] == 0) continue;
+      const float light = light_.of_value(before[i], max);
+      texels[t][i] = light_.value_of(light + parts[3] * light + parts[i], max);
+    }
     shared += changes[t].triangles > 1 && texels[t] != before ? 1 : 0;
   }
   return shared;

@@ -18,8 +18,9 @@ namespace burnish {
 /// Changed texels go so far beyond the triangles: two mips read them.
 inline constexpr uint32_t kGutterTexels = 4;
 
-/// Changes the texels of a picture as renderers show edited colours: in linear light, a texel plus
-/// the change between its triangle's corners (client/gl/texel_shader.cpp). Where several triangles
+/// Changes the texels of a picture as renderers show edited colours: in linear light, a texel times
+/// a gain plus a change, both between its triangle's corners (client/gl/texel_shader.cpp). Where
+/// several triangles
 /// show a texel it gets the mean of their changes. Beyond triangles the change goes on as the mean
 /// of what is around. Works in bands of rows, so a picture of any height takes no more memory. The
 /// same texels for any number of threads and any bands.
@@ -45,10 +46,10 @@ class TexelChanges {
     uint32_t first, last;
     uint32_t triangle;
   };
-  /// The change of a texel, in light. Level 0: unknown; 1: of triangles; above: of texels around
-  /// with lower levels.
+  /// The change of a texel: its light's for red, green and blue, and the gain less 1. Level 0:
+  /// unknown; 1: of triangles; above: of texels around with lower levels.
   struct Change {
-    std::array<float, 3> light = {0, 0, 0};
+    std::array<float, 4> parts = {0, 0, 0, 0};
     uint16_t triangles = 0;
     uint16_t level = 0;
   };
@@ -61,8 +62,9 @@ class TexelChanges {
   void sort_into_groups(uint32_t first, uint32_t end);
   bool draw_rows(uint32_t first, uint32_t end);
   void draw(uint32_t triangle, uint32_t from, uint32_t to, uint32_t first);
-  void add_row(std::span<Change> texels, size_t channel, std::array<float, 2> before,
-               std::array<float, 2> after, std::array<float, 2> tint) const;
+  static void add_row(std::span<Change> texels, size_t channel, std::array<float, 2> light,
+                      std::array<float, 2> tint);
+  static void add_gains(std::span<Change> texels, std::array<float, 2> gain);
   static bool take_means(std::span<Change> row);
   void extend(uint32_t rows, uint16_t level);
   void find_around(uint32_t row, uint32_t rows, uint16_t level, std::vector<Found>& found) const;

@@ -37,7 +37,8 @@ class RasterSlots : public testing::Test {
     const std::vector<VertexMark> marks(moves.size(), VertexMark{-90, 200});
     ASSERT_TRUE(renderer.mark_page(slot, marks).is_ok());
     const std::vector<Rgba8> colours(moves.size(), Rgba8{200, 20, 90, 255});
-    ASSERT_TRUE(renderer.colour_page(slot, colours).is_ok());
+    ASSERT_TRUE(
+        renderer.colour_page(slot, colours, std::vector<TexelChange>(colours.size())).is_ok());
   }
 
   std::vector<PatchRange> all() const {

@@ -73,8 +73,23 @@ class TexturePicture : public TwinStage {
     EXPECT_LT(rmse({.colouring = Colouring::kScan}), 0.003);
     wave();
     EXPECT_LT(rmse(kUnlit), 0.003);
+    strengthen();
+    EXPECT_LT(rmse(kUnlit), 0.004);
     camera_.distance *= 2.5;
     EXPECT_LT(rmse(kUnlit), 0.003);
+  }
+
+  /// Gives both renderers texels of other gains.
+  void strengthen() {
+    for (uint32_t slot = 0; slot < textures_.size(); ++slot) {
+      const std::vector<Vec3f>& positions = meshes_[slot].positions;
+      std::vector<TexelChange> texels(positions.size());
+      for (size_t v = 0; v < texels.size(); ++v)
+        texels[v] = texel_change(kGrey, Vec3f(0, 0.1F, 0), 1.5F + 0.5F * positions[v].x());
+      const std::vector<Rgba8> colours(texels.size(), kGrey);
+      ASSERT_TRUE(raster_.colour_page(slot, colours, texels).is_ok());
+      ASSERT_TRUE(gl_->colour_page(slot, colours, texels).is_ok());
+    }
   }
 
   void wave() {
@@ -83,9 +98,9 @@ class TexturePicture : public TwinStage {
     });
   }
 
-  /// Returns the part of the surface's pixels that show the pattern, changed by `change` in linear
-  /// light.
-  double part_alike(const Image& image, double change = 0) {
+  /// Returns the part of the surface's pixels that show the pattern, times `gain` and changed by
+  /// `change` in linear light.
+  double part_alike(const Image& image, double change = 0, double gain = 1) {
     int alike = 0, all = 0;
     for (int y = 2; y < kTwinSize.height; y += 3)
       for (int x = 2; x < kTwinSize.width; x += 3) {
@@ -95,7 +110,8 @@ class TexturePicture : public TwinStage {
         const Texel pattern = pattern_at(steps - Vec3d::Constant(0.5), wave_);
         bool is_alike = true;
         for (int c = 0; c < 3; ++c)
-          is_alike &= std::abs(in_srgb(in_linear(pattern[c]) + change) - image.pixel(x, y)[c]) < 13;
+          is_alike &=
+              std::abs(in_srgb(gain * in_linear(pattern[c]) + change) - image.pixel(x, y)[c]) < 13;
         alike += is_alike;
         ++all;
       }
@@ -129,7 +145,8 @@ TEST_F(TexturePicture, TexelsChangeAsTheColoursOfTheirVertices) {
   const Image before = draw(kUnlit);
   for (uint32_t slot = 0; slot < textures_.size(); ++slot) {
     const std::vector<Rgba8> lighter(meshes_[slot].positions.size(), Rgba8{140, 140, 140, 255});
-    ASSERT_TRUE(raster_.colour_page(slot, lighter).is_ok());
+    const std::vector<TexelChange> texels(lighter.size(), texel_change(kGrey, lighter[0]));
+    ASSERT_TRUE(raster_.colour_page(slot, lighter, texels).is_ok());
   }
   const double change = in_linear(140) - in_linear(100);
   EXPECT_GT(part_alike(draw(kUnlit), change), 0.97);
@@ -139,6 +156,17 @@ TEST_F(TexturePicture, TexelsChangeAsTheColoursOfTheirVertices) {
   wave();
   EXPECT_NE(draw(kUnlit).rgb, before.rgb);
   EXPECT_EQ(draw(original).rgb, still.rgb);
+}
+
+TEST_F(TexturePicture, AGainMultipliesTheDifferenceOfTexelsToTheirVertices) {
+  put_textures();
+  const double own = in_linear(100);
+  for (uint32_t slot = 0; slot < textures_.size(); ++slot) {
+    const std::vector<Rgba8> same(meshes_[slot].positions.size(), kGrey);
+    const std::vector<TexelChange> texels(same.size(), texel_change(kGrey, Vec3f::Zero(), 2));
+    ASSERT_TRUE(raster_.colour_page(slot, same, texels).is_ok());
+  }
+  EXPECT_GT(part_alike(draw(kUnlit), -own, 2), 0.97);
 }
 
 TEST_F(TexturePicture, OtherColouringsAndPagesWithoutATextureLookAsBefore) {

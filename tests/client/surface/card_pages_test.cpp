@@ -96,6 +96,15 @@ TEST_F(CardPagesTest, ColoursChangeByTheFrameAndNoChangeKeepsThem) {
   coloured.moves.back() = change(Vec3f::Zero());
   EXPECT_TRUE(card_.show(drawn_, coloured, marks_).value());
   EXPECT_EQ(renderer_.colours(0).back(), grey);
+  EXPECT_TRUE(renderer_.texels(0).back().is_none());
+  coloured.pages.push_back(page.id | kGainPages);
+  coloured.moves.push_back(change(Vec3f(0.5F, 0, 0)));
+  EXPECT_TRUE(card_.show(drawn_, coloured, marks_).value());
+  EXPECT_EQ(renderer_.colours(0).back(), grey);
+  const TexelChange texel = renderer_.texels(0).back();
+  EXPECT_EQ(texel.gain, 1.5F);
+  const auto own = std::pow(100 / 255.F, 2.2F);
+  EXPECT_NEAR(texel.gain * own + texel.light.x(), own, 1e-6) << "a texel like its vertex stays";
 }
 
 TEST_F(CardPagesTest, APointIsFoundOnTheDisplacedAndOnTheOriginalSurface) {

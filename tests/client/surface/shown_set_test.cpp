@@ -65,8 +65,13 @@ TEST_F(ShownSetTest, ColoursComeBehindTheirPagesAndGoWhenNobodyLooks) {
   EXPECT_THAT(ids(shown_.change(cut, cache_, nullptr, 0).added),
               ElementsAre(root(), 1, 1 | kColourPages));  // the root has none
   EXPECT_EQ(shown_.page_count(), 3u);
+  EXPECT_EQ(shown_.copies(), 2u);
+  shown_.show_gains(true);
+  EXPECT_THAT(ids(shown_.change(cut, cache_, nullptr, 0).added), ElementsAre(1 | kGainPages));
+  EXPECT_EQ(shown_.copies(), 3u);
   shown_.show_colours(false);
   EXPECT_TRUE(shown_.change(cut, cache_, nullptr, 0).added.empty());
+  EXPECT_EQ(shown_.copies(), 1u) << "texels without colours need no gains";
 }
 
 TEST_F(ShownSetTest, APageThatIsNotDecodedWaits) {

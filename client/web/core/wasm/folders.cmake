@@ -42,7 +42,7 @@ function(core_folder folder)
 endfunction()
 
 core_folder(common/base ONLY check status text text_lines)
-core_folder(common/mesh ONLY mesh_format srgb statistics thin_walls triangle_mesh)
+core_folder(common/mesh ONLY mesh_format srgb statistics texel_change thin_walls triangle_mesh)
 core_folder(common/mesh/rewrite ONLY left_out_text)
 core_folder(common/grid SPEED -Os)
 core_folder(common/evaluation SPEED -Os)

@@ -85,12 +85,13 @@ double part_as_shown(MeshFormat format, const std::string& content, const Pictur
           const auto weights = weights_at(corners, {x + 0.5, y + 0.5});
           if (!weights) continue;
           for (size_t i = 0; i < 3; ++i) {
-            double own = 0, now = 0;
+            double change = 0;
             for (int k = 0; k < 3; ++k) {
-              own += (*weights)[k] * mesh.colours[mesh.triangles[t][k]][i];
-              now += (*weights)[k] * painted.colours[mesh.triangles[t][k]][i];
+              const uint32_t v = mesh.triangles[t][k];
+              change += (*weights)[k] * (light_of_level(painted.colours[v][i]) -
+                                         light_of_level(mesh.colours[v][i]));
             }
-            const double wanted = std::round(shown_channel(before.at(x, y)[i], own, now));
+            const double wanted = std::round(shown_channel(before.at(x, y)[i], change));
             ++shown;
             near += std::abs(after.at(x, y)[i] - wanted) <= 2 ? 1 : 0;
           }

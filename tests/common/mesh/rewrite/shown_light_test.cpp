@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "common/mesh/texel_change.h"
+
 namespace burnish {
 namespace {
 
@@ -26,20 +28,11 @@ TEST(ShownLight, TheNearestByteIsTaken) {
   }
 }
 
-TEST(ShownLight, LevelsBetweenBytesFollowTheSameCurve) {
-  const ShownLight light;
-  for (double level = 0; level <= 255; level += 0.21)
-    EXPECT_NEAR(light.of_level(static_cast<float>(level)), std::pow(level / 255, kShownGamma),
-                2e-7);
-}
-
 TEST(ShownLight, WhatIsNoLightIsBlackOrWhite) {
   const ShownLight light;
   EXPECT_EQ(light.value_of(-1, 255), 0);
   EXPECT_EQ(light.value_of(std::numeric_limits<float>::quiet_NaN(), 65535), 0);
   EXPECT_EQ(light.value_of(2, 65535), 65535);
-  EXPECT_EQ(light.of_level(-3), 0);
-  EXPECT_EQ(light.of_level(300), 1);
 }
 
 }  // namespace

@@ -40,7 +40,8 @@ struct PaintedGrid {
     for (uint32_t t = 0; t < triangles.size(); ++t) triangles[t] = t;
     const auto place = PicturePlace::find(surface.textures, triangles, kWidth, kHeight);
     EXPECT_TRUE(place.is_ok()) << place.status().message();
-    TexelChanges changes(surface, {before, after}, triangles, *place, kWidth, kHeight);
+    TexelChanges changes(surface, {before, after, texels_at_vertices}, triangles, *place, kWidth,
+                         kHeight);
     const auto grey = static_cast<uint16_t>(100 * (max / 255));
     std::vector<FileTexel> texels(kWidth * kHeight, FileTexel{grey, grey, grey});
     for (uint32_t first = 0; first < kHeight; first += band_rows) {
@@ -54,6 +55,7 @@ struct PaintedGrid {
 
   TexturedSurface surface;
   std::vector<Rgba8> before, after;
+  std::vector<TexelChange> texels_at_vertices;
   uint64_t shared_texels = 0;
 };
 
@@ -78,15 +80,28 @@ TEST(TexelChanges, TexelsInTrianglesAreThoseThatRenderersShow) {
         if (!weights || weights->minCoeff() < 1e-9) continue;
         ++covered;
         for (size_t i = 0; i < 3; ++i) {
-          double after = 0;
+          double change = -light_of_level(120);
           for (int k = 0; k < 3; ++k)
-            after += (*weights)[k] * grid.after[grid.surface.mesh.triangles[t][k]][i];
-          EXPECT_NEAR(texels[y * kWidth + x][i], shown_channel(100, 120, after), 0.51);
+            change +=
+                (*weights)[k] * light_of_level(grid.after[grid.surface.mesh.triangles[t][k]][i]);
+          EXPECT_NEAR(texels[y * kWidth + x][i], shown_channel(100, change), 0.51);
         }
       }
   }
   EXPECT_GT(covered, 3000);
   EXPECT_EQ(grid.shared_texels, 0u) << "neighbours share sides, and no texel";
+}
+
+TEST(TexelChanges, AGainMultipliesATexelBeforeTheChangeIsAdded) {
+  PaintedGrid grid{TexturedGrid{}};
+  grid.texels_at_vertices.assign(grid.before.size(), {2, Vec3f(-0.05F, 0, 0.1F)});
+  for (const uint16_t max : {255, 65535}) {
+    const FileTexel middle = grid.changed(64, max)[45 * kWidth + 60];
+    for (size_t i = 0; i < 3; ++i)
+      EXPECT_NEAR(middle[i] / (max / 255.0),
+                  shown_channel(100, grid.texels_at_vertices[0].light[static_cast<int>(i)], 2),
+                  0.51);
+  }
 }
 
 TEST(TexelChanges, BandsAndThreadsChangeNoTexel) {

@@ -138,11 +138,14 @@ inline std::optional<Vec3d> weights_at(const std::array<Eigen::Vector2d, 3>& cor
   return weights;
 }
 
-/// Returns what renderers show of a texel whose triangle has these corners' colours (surface_colour
-/// of client/gl/texel_shader.cpp), as a byte.
-inline double shown_channel(double texel, double before, double after) {
-  const auto light = [](double level) { return std::pow(level / 255, 2.2); };
-  const double sum = light(texel) + light(after) - light(before);
+inline double light_of_level(double level) {
+  return std::pow(level / 255, 2.2);
+}
+
+/// Returns what renderers show of a texel that changes so (surface_colour of
+/// client/gl/texel_shader.cpp), as a byte.
+inline double shown_channel(double texel, double change, double gain = 1) {
+  const double sum = gain * light_of_level(texel) + change;
   return 255 * std::pow(std::clamp(sum, 0.0, 1.0), 1 / 2.2);
 }
 
