@@ -35,6 +35,22 @@ void draw_filter(Document& document, MessageLog& log) {
   if (change == SliderChange::kDone) document.commit(SetColour{changed});
 }
 
+void draw_texture(Document& document, MessageLog& log) {
+  TextureFilter changed = document.texture();
+  ImGui::TextUnformatted("Texture gain");
+  hint(
+      "Details of the colours that are finer than a cell of the grid: left fades them, right makes "
+      "them stronger");
+  SliderChange change =
+      linear_slider({{"Texture gain", 0, kTextureGainMax}, "%.2f", log}, changed.gain);
+  ImGui::TextUnformatted("Remove light");
+  hint("How much goes of the light that was there when the colours were taken");
+  change =
+      std::max(change, linear_slider({{"Remove light", 0, 1}, "%.2f", log}, changed.remove_light));
+  if (change == SliderChange::kMoving) document.preview(SetTexture{changed});
+  if (change == SliderChange::kDone) document.commit(SetTexture{changed});
+}
+
 }  // namespace
 
 void ColourPanel::draw(Workspace& workspace) {
@@ -47,6 +63,7 @@ void ColourPanel::draw(Workspace& workspace) {
   if (noted("Keep colours", ImGui::Button("Keep colours", {-1, 0})))
     document.commit(SetColour{{document.colour_filter().alpha, 1}});
   hint("Sets the gradient scale to 1. Painted colours stay painted.");
+  draw_texture(document, workspace.log);
   ImGui::EndDisabled();
 }
 

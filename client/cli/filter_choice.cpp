@@ -60,6 +60,17 @@ static void add_layer_options(CLI::App& command, FilterChoice& choice) {
       ->check(in_range(kAlphaMin, kAlphaMax));
 }
 
+static void add_texture_options(CLI::App& command, FilterChoice& choice) {
+  command
+      .add_option("--texture-gain", choice.texture_gain,
+                  "Details of the scan's colours, finer than a cell: < 1 fades, 1 keeps")
+      ->check(in_range(0.0, kTextureGainMax));
+  command
+      .add_option("--remove-light", choice.remove_light,
+                  "How much of the light in the scan's colours goes, 0 to 1")
+      ->check(in_range(0.0, 1.0));
+}
+
 static void add_edit_lines(CLI::App& command, FilterChoice& choice) {
   command
       .add_option("--edit", choice.lines,
@@ -74,6 +85,7 @@ static void add_edit_lines(CLI::App& command, FilterChoice& choice) {
 void add_filter_options(CLI::App& command, FilterChoice& choice) {
   add_alpha_options(command, choice);
   add_layer_options(command, choice);
+  add_texture_options(command, choice);
   add_edit_lines(command, choice);
   CLI::Option* preset = command
                             .add_option("--preset", choice.preset,
@@ -137,6 +149,9 @@ static Status add_layers(const FilterChoice& choice, Changes& changes) {
   if (choice.colour_beta || choice.colour_alpha)
     changes.emplace_back(
         SetColour{{choice.colour_alpha.value_or(kAlphaDefault), choice.colour_beta.value_or(1)}});
+  if (choice.texture_gain || choice.remove_light)
+    changes.emplace_back(
+        SetTexture{{choice.texture_gain.value_or(1), choice.remove_light.value_or(0)}});
   return Status::ok();
 }
 

@@ -20,7 +20,7 @@ struct FilterChoice {
   double strength = 1;
   Equaliser equaliser;
   std::string palette_file;
-  std::optional<double> colour_beta, colour_alpha;
+  std::optional<double> colour_beta, colour_alpha, texture_gain, remove_light;
   std::string keep_edges;  ///< name of an edge preset, kAutoEdges or kNoEdges; empty: as before
   std::optional<EdgeFilter> proposed_edges;  ///< with kAutoEdges, by the scan
   std::optional<double> edge_strength, edge_angle, crispness;
@@ -42,15 +42,16 @@ struct FilterChoice {
 };
 
 /// Adds --alpha, --wavelength, --curve, --beta, --preset, --strength, --band, --palette,
-/// --colour-beta, --colour-alpha and --edit to a command or a group of its options.
+/// --colour-beta, --colour-alpha, --texture-gain, --remove-light and --edit to a command or a group
+/// of its options.
 void add_filter_options(CLI::App& command, FilterChoice& choice);
 
 /// Adds --keep-edges and what changes its presets.
 void add_edge_options(CLI::App& command, FilterChoice& choice);
 
-/// Returns the edits that the choice stands for: curve, β, palette, equaliser, colours, then its
-/// lines; none for what is not given. A preset ends the bands that are in force. Fails: not_found
-/// for an unknown preset; as the file of the palette cannot be read.
+/// Returns the edits that the choice stands for: curve, β, palette, equaliser, colours, texture,
+/// then its lines; none for what is not given. A preset ends the bands that are in force. Fails:
+/// not_found for an unknown preset; as the file of the palette cannot be read.
 Result<std::vector<decltype(Edit::change)>> changes_of(const FilterChoice& choice,
                                                        const ScanLengths& scan,
                                                        const Settings& in_force);

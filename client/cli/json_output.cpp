@@ -101,6 +101,8 @@ Json to_json(const SessionState& state) {
   json["bands"] = to_json(state.settings.equaliser);
   json["palette"] = to_json(state.settings.palette);
   json["colours"] = {{"beta", state.settings.colour.beta}, {"alpha", state.settings.colour.alpha}};
+  json["texture"] = {{"gain", state.settings.texture.gain},
+                     {"remove_light", state.settings.texture.remove_light}};
   json["edges"] = to_json(state.settings.edges);
   json["memory_bytes"] = state.memory_bytes;
   json["backend"] = state.backend;

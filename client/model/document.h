@@ -142,6 +142,8 @@ class Document {
 
   /// How the scan's colours are filtered, likewise. Needs: has_colours().
   const ColourFilter& colour_filter() const { return settings_.colour; }
+  /// The texture filter of the scan's colours, likewise.
+  const TextureFilter& texture() const { return settings_.texture; }
 
   /// Bounds on what all edits do: as the user or the session set them last.
   const Controls& controls() const { return settings_.controls; }

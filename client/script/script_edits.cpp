@@ -33,7 +33,7 @@ Result<ExportLine> parse_export(const std::vector<std::string>& words) {
 
 Result<Change> parse_change(const ScriptLine& line, const Document& document) {
   ASSIGN_OR_RETURN(Change change, parse_edit(line.command, line.words, document.settings()));
-  if (std::holds_alternative<SetColour>(change) && !document.has_colours())
+  if (needs_colours(change) && !document.has_colours())
     return failed_precondition("the scan has no colours to edit");
   return change;
 }

@@ -33,6 +33,7 @@ static void print_state(const Document& document) {
               text_of(document.equaliser()).c_str(), text_of(document.palette()).c_str());
   if (document.edges().is_on()) std::printf("%s\n", text_of(document.edges()).c_str());
   if (document.has_colours()) std::printf("%s\n", text_of(document.colour_filter()).c_str());
+  if (document.texture().is_on()) std::printf("%s\n", text_of(document.texture()).c_str());
   if (frame.volume != 0) std::printf("volume %.6g %% of the scan's\n", 100 * frame.volume);
 }
 

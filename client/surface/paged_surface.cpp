@@ -64,6 +64,7 @@ void PagedSurface::take(const LiveNews& news) {
 
 Status PagedSurface::look(const Camera& camera, const ImageSize& size, bool is_dragging) {
   take_arrivals();
+  shown_.show_gains(shows_textures());
   server_vertices_max_ = room_.vertices_max(options_.clock()) / shown_.copies();
   loader_->look(question(camera, size, is_dragging), options_.clock());
   start_decoding();

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "common/base/text.h"
+#include "common/edit/check_between.h"
 
 namespace burnish {
 
@@ -76,12 +76,6 @@ std::string text_of(const EdgeFilter& filter) {
                 filter.passes == 1 ? "pass" : "passes", filter.crispness,
                 filter.kind == NormalFilterKind::kEdges ? ", machined" : "");
   return text;
-}
-
-static Status check_between(const char* what, double value, double least, double most) {
-  if (value >= least && value <= most) return Status::ok();
-  return invalid_argument(std::string(what) + " " + shortest_text(value) + " is outside " +
-                          shortest_text(least) + ".." + shortest_text(most));
 }
 
 Status check_edge_filter(const EdgeFilter& filter) {

@@ -14,6 +14,7 @@
 #include "common/edit/equaliser.h"
 #include "common/edit/palette.h"
 #include "common/edit/protect.h"
+#include "common/edit/texture_filter.h"
 #include "common/edit/transfer_curve.h"
 
 namespace burnish {
@@ -65,6 +66,11 @@ struct SetEdges {
   EdgeFilter filter;
 };
 
+/// Sets the gain of the texture and the removed light. The last such edit counts.
+struct SetTexture {
+  TextureFilter filter;
+};
+
 /// Switches off the author's newest entry that is on.
 struct Undo {};
 
@@ -95,8 +101,8 @@ struct Damaged {
 };
 
 using Change = std::variant<SetGradientScale, SetTransferCurve, Stroke, SetCellFields, SetControls,
-                            Protect, SetEqualiser, SetPalette, SetColour, SetEdges, Undo, Redo,
-                            SwitchEntry, SetCheckpoint, RestoreCheckpoint, Damaged>;
+                            Protect, SetEqualiser, SetPalette, SetColour, SetEdges, SetTexture,
+                            Undo, Redo, SwitchEntry, SetCheckpoint, RestoreCheckpoint, Damaged>;
 
 /// One change of a session. The client chooses the id; applying an id twice is harmless.
 struct Edit {
@@ -106,7 +112,7 @@ struct Edit {
 
 /// What a gesture shows before it is an edit.
 using PreviewChange = std::variant<SetGradientScale, SetTransferCurve, Stroke, SetEqualiser,
-                                   SetPalette, SetColour, SetEdges>;
+                                   SetPalette, SetColour, SetEdges, SetTexture>;
 
 /// The values that the last edit of each kind sets for a whole session.
 struct Settings {
@@ -117,6 +123,7 @@ struct Settings {
   Palette palette;
   ColourFilter colour;
   EdgeFilter edges;
+  TextureFilter texture;
   bool operator==(const Settings&) const = default;
 
   /// Takes what the change sets. Edits of places, and of which edits count, set nothing here.
@@ -168,6 +175,7 @@ enum class EditKind {
   kPalette,
   kColour,
   kEdges,
+  kTexture,
   kUndo,
   kRedo,
   kSwitchEntry,
@@ -183,6 +191,9 @@ inline EditKind kind_of(const Edit& edit) {
 /// Returns true for edits that fields are made of. The other kinds only say which of these count.
 bool makes_fields(EditKind kind);
 
+/// Returns whether only a scan with colours can have the change.
+bool needs_colours(const Change& change);
+
 /// Returns the number of the kind as an entry of the history, which the protocol's EntryKind has
 /// too; 0 for edits that only switch entries. A number is never used again.
 int entry_number(EditKind kind);
@@ -190,7 +201,7 @@ int entry_number(EditKind kind);
 std::optional<EditKind> kind_of_entry(int number);
 
 /// "slider", "curve", "stroke", "cells", "controls", "protect", "equaliser", "palette",
-/// "colour", "edges", "undo", "redo", "switch", "checkpoint", "restore", "damaged".
+/// "colour", "edges", "texture", "undo", "redo", "switch", "checkpoint", "restore", "damaged".
 const char* edit_kind_name(EditKind kind);
 
 /// Describes the edit in a few words: "beta 0.25", "stroke of 12 points, radius 0.5, beta 2".

@@ -179,6 +179,12 @@ constexpr std::array<EditKindFacts, std::variant_size_v<Change>> kEditKinds = {
         [](const SetEdges& change) { return text_of(change.filter); },
         setting<SetEdges, &Settings::edges, &SetEdges::filter>("edges", "Kept edges",
                                                                {.beta = true})),
+    facts<EditKind::kTexture>(
+        "texture", true, 13,
+        [](const SetTexture& change) { return check_texture_filter(change.filter); },
+        [](const SetTexture& change) { return text_of(change.filter); },
+        setting<SetTexture, &Settings::texture, &SetTexture::filter>("texture", "Texture",
+                                                                     {.shown = true})),
     facts<EditKind::kUndo>(
         "undo", false, 0, kAnyValue<Undo>, [](const Undo&) { return std::string("undo"); },
         kNoSetting),
@@ -249,6 +255,12 @@ EditEffects effects_of(const Brush& brush) {
 }
 
 }  // namespace
+
+bool needs_colours(const Change& change) {
+  const auto* stroke = std::get_if<Stroke>(&change);
+  return std::holds_alternative<SetColour>(change) || std::holds_alternative<SetTexture>(change) ||
+         (stroke && stroke->brush.colour);
+}
 
 bool makes_fields(EditKind kind) {
   return fact_of<&EditKindFacts::makes_fields>(kind);

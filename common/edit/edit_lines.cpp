@@ -86,6 +86,14 @@ Result<SetColour> parse_colours(const Words& words, ColourFilter filter) {
   return SetColour{filter};
 }
 
+Result<SetTexture> parse_texture(const Words& words, TextureFilter filter) {
+  ASSIGN_OR_RETURN(filter.gain, parse_real(words[0]));
+  if (words.size() > 1) {
+    ASSIGN_OR_RETURN(filter.remove_light, parse_real(words[1]));
+  }
+  return SetTexture{filter};
+}
+
 Result<SetEdges> parse_edges(const Words& words) {
   EdgeFilter edges;
   if (words == Words{"off"}) return SetEdges{edges};
@@ -200,6 +208,12 @@ constexpr std::array<EditLine, std::variant_size_v<Change>> kEditLines = {
         {"edges", 1, 5, "edges bilateral|edges STRENGTH ANGLE PASSES CRISPNESS, or edges off"},
         [](const Words& words, const Settings&) { return parse_edges(words); },
         [](const SetEdges& change, LineText& text) { write(change.filter, text); }),
+    line<EditKind::kTexture>(
+        {"texture", 1, 2, "texture GAIN [LIGHT]: details of colours, and how much light goes"},
+        [](const Words& words, const Settings& now) { return parse_texture(words, now.texture); },
+        [](const SetTexture& change, LineText& text) {
+          text << ' ' << change.filter.gain << ' ' << change.filter.remove_light;
+        }),
     word<EditKind::kUndo, Undo>("undo", "undo: takes back your last edit"),
     word<EditKind::kRedo, Redo>("redo", "redo: brings back what undo took back"),
     line<EditKind::kSwitchEntry>(

@@ -84,6 +84,7 @@ Status read_shown(const Message& message, std::optional<Change>& change) {
     ASSIGN_OR_RETURN(const EdgeFilter filter, from_wire(message.edges()));
     change = SetEdges{filter};
   }
+  if (message.has_texture()) change = SetTexture{from_wire(message.texture(), true)};
   return Status::ok();
 }
 
@@ -151,6 +152,9 @@ struct ChangeWriter {
   void operator()(const SetEdges& change) const {
     *message.mutable_edges() = to_wire(change.filter);
   }
+  void operator()(const SetTexture& change) const {
+    *message.mutable_texture() = to_wire(change.filter);
+  }
   void operator()(const Undo&) const { message.mutable_undo(); }
   void operator()(const Redo&) const { message.mutable_redo(); }
   void operator()(const SwitchEntry& change) const {
@@ -176,6 +180,7 @@ void write_all(const Settings& settings, Message& message) {
   *message.mutable_palette() = to_wire(settings.palette);
   *message.mutable_colour() = to_wire(settings.colour);
   if (settings.edges != EdgeFilter()) *message.mutable_edges() = to_wire(settings.edges);
+  if (settings.texture.is_on()) *message.mutable_texture() = to_wire(settings.texture);
 }
 
 template <typename Message>
@@ -189,7 +194,8 @@ Result<Settings> read_all(const Message& message) {
                   from_wire(message.equaliser()),
                   std::move(palette),
                   from_wire(message.colour(), message.has_colour()),
-                  message.has_edges() ? edges : EdgeFilter()};
+                  message.has_edges() ? edges : EdgeFilter(),
+                  from_wire(message.texture(), message.has_texture())};
 }
 
 }  // namespace
@@ -297,6 +303,18 @@ v1::ColourFilter to_wire(const ColourFilter& filter) {
 ColourFilter from_wire(const v1::ColourFilter& message, bool is_there) {
   if (!is_there) return {};
   return {message.alpha(), message.beta()};
+}
+
+v1::TextureFilter to_wire(const TextureFilter& filter) {
+  v1::TextureFilter message;
+  message.set_gain(filter.gain);
+  message.set_remove_light(filter.remove_light);
+  return message;
+}
+
+TextureFilter from_wire(const v1::TextureFilter& message, bool is_there) {
+  if (!is_there) return {};
+  return {message.gain(), message.remove_light()};
 }
 
 v1::EdgeFilter to_wire(const EdgeFilter& filter) {

@@ -48,6 +48,10 @@ v1::ColourFilter to_wire(const ColourFilter& filter);
 /// Returns what keeps the colours for a message that is absent. Values are checked with the edit.
 ColourFilter from_wire(const v1::ColourFilter& message, bool is_there);
 
+v1::TextureFilter to_wire(const TextureFilter& filter);
+/// `is_there`: in the message around it.
+TextureFilter from_wire(const v1::TextureFilter& message, bool is_there);
+
 v1::EdgeFilter to_wire(const EdgeFilter& filter);
 /// Fails: invalid_argument for an unknown kind of filter.
 Result<EdgeFilter> from_wire(const v1::EdgeFilter& message);

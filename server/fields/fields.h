@@ -83,6 +83,7 @@ class Fields {
   /// Returns the paint of a band's gain, null without. Shapes: `band` from 1.
   const PaintLayer* gain_paint(size_t band) const { return layer(kFirstBandLayer + band - 1); }
   const ColourFilter& colour() const { return settings_.colour; }
+  const TextureFilter& texture() const { return settings_.texture; }
   /// Returns the paint of the colours' β, null without.
   const PaintLayer* colour_paint() const { return layer(kColourLayer); }
   /// Returns the paint of the strength of kept edges, null without.

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "common/evaluation/displacement_steps.h"
-#include "common/mesh/srgb.h"
 
 namespace burnish {
 
@@ -41,17 +40,16 @@ void still(const HeldVertices& held, PageSample& sample) {
 }
 
 // Sums before it rounds: two roundings would be a step off.
-std::shared_ptr<const PageSample> with_details(const LivePage& page, const PageSample& on_grid,
-                                               const SparseGrid& grid, const ColourChange& change) {
-  auto sample = std::make_shared<PageSample>(on_grid);
+std::shared_ptr<const PageSample> colours_of(const LivePage& page, const SparseGrid& grid,
+                                             const ColourChange& change) {
   const size_t vertices = page.colours.size();
+  auto sample =
+      std::make_shared<PageSample>(PageSample{page.number(), std::vector<int32_t>(3 * vertices)});
   for (size_t v = 0; v < vertices; ++v) {
-    const EvaluationPoint& at = page.evaluation.points[v];
-    if (at.cell == kNone) continue;
-    const Vec3f finer = linear_colour(page.colours[v]) - evaluate(grid, at, change.fitted);
-    const Vec3f whole = evaluate(grid, at, change.on_grid) + change.share[at.cell] * finer;
+    const PointChange at = change_at(change, grid, page.evaluation.points[v], page.colours[v]);
+    const Vec3f shown = is_gains(page.number()) ? Vec3f(at.gain - 1, 0, 0) : at.colour;
     for (size_t channel = 0; channel < 3; ++channel)
-      sample->steps[channel * vertices + v] = to_steps(kCellsPerColour * whole[int(channel)]);
+      sample->steps[channel * vertices + v] = to_steps(kCellsPerColour * shown[int(channel)]);
   }
   return sample;
 }
@@ -132,10 +130,7 @@ Result<SurfaceShot> SurfaceShot::take(const SurfaceMoment& moment,
   }
   RETURN_IF_ERROR(shot.sample(places, moment.grid, moment.displacement, 1));
   if (moment.layer.is_there()) shot.add_layer(places, moment);
-  if (!moment.colour.on_grid.empty())
-    RETURN_IF_ERROR(shot.sample_colours(colours, moment.grid, moment.colour));
-  else
-    shot.sample_zeros(colours);
+  RETURN_IF_ERROR(shot.sample_colours(colours, moment.grid, moment.colour));
   shot.largest_move_ = moment.last ? moment.last->largest_move_ : largest_move_of(moment);
   return shot;
 }
@@ -181,19 +176,21 @@ void SurfaceShot::add_layer(std::span<const size_t> parts, const SurfaceMoment& 
 
 Status SurfaceShot::sample_colours(std::span<const size_t> parts, const SparseGrid& grid,
                                    const ColourChange& change) {
-  RETURN_IF_ERROR(sample(parts, grid, change.on_grid, kCellsPerColour));
-  if (change.share.empty()) return Status::ok();
+  std::vector<size_t> of_grid;
 #pragma omp parallel for schedule(dynamic)
   for (size_t i = 0; i < parts.size(); ++i) {
     Part& part = parts_[parts[i]];
-    if (const auto page = part.page.lock(); page && !page->colours.empty())
-      part.sample = with_details(*page, *part.sample, grid, change);
+    const auto page = part.page.lock();
+    const bool is_whole = change.is_there() && !page->colours.empty();
+    part.sample = is_whole ? colours_of(*page, grid, change) : zeros_of(*page);
   }
-  return Status::ok();
-}
-
-void SurfaceShot::sample_zeros(std::span<const size_t> parts) {
-  for (const size_t part : parts) parts_[part].sample = zeros_of(*parts_[part].page.lock());
+  if (change.on_grid.empty()) return Status::ok();
+  // Corners know what the grid does.
+  for (const size_t part : parts) {
+    const auto page = parts_[part].page.lock();
+    if (page->colours.empty() && !is_gains(page->number())) of_grid.push_back(part);
+  }
+  return sample(of_grid, grid, change.on_grid, kCellsPerColour);
 }
 
 SurfaceShot SurfaceShot::unmoved(std::span<const std::shared_ptr<const ClientPages>> clients) {

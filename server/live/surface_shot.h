@@ -59,7 +59,6 @@ class SurfaceShot {
   void add_layer(std::span<const size_t> parts, const SurfaceMoment& moment);
   Status sample_colours(std::span<const size_t> parts, const SparseGrid& grid,
                         const ColourChange& change);
-  void sample_zeros(std::span<const size_t> parts);
   const Part* find(const LivePage& page) const;
 
   std::vector<const LivePage*> pages_;  // rising; some may have gone

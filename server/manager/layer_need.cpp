@@ -4,6 +4,7 @@
 
 #include "server/fields/fields_view.h"
 #include "server/memory/memory_need.h"
+#include "server/session/baked_light.h"
 #include "server/session/edge_parts.h"
 #include "server/session/fit_signal.h"
 #include "server/session/mesh_signal.h"
@@ -19,6 +20,7 @@ void LayerNeed::add(std::span<const AuthoredEdit> edits) {
     if (const auto* change = std::get_if<SetEqualiser>(&edit.edit.change))
       bands_ = std::max(bands_, change->equaliser.bands.size());
     edits_colours_ |= std::holds_alternative<SetColour>(edit.edit.change);
+    edits_texture_ |= std::holds_alternative<SetTexture>(edit.edit.change);
     if (const auto* change = std::get_if<SetEdges>(&edit.edit.change))
       keeps_edges_ |= change->filter.is_on();
     if (const auto* stroke = std::get_if<Stroke>(&edit.edit.change)) {
@@ -38,6 +40,7 @@ uint64_t LayerNeed::byte_count(const Multigrid& on) const {
   if (edits_colours_ || painted_[kColourLayer])
     bytes += predict_session_bytes(on) + 2 * corners * sizeof(Vec3f) + 3 * cells * sizeof(float) +
              predict_fit_bytes(on) + predict_mesh_signal_bytes(*on.prepared);
+  if (edits_texture_) bytes += predict_fit_bytes(on) + predict_light_bytes(on);
   if (keeps_edges_) bytes += predict_edge_bytes(on);
   bool has_curves = false;
   for (size_t layer = kFirstBandLayer; layer < kPaintLayers; ++layer) {

@@ -21,7 +21,7 @@ class LayerNeed {
   uint64_t byte_count(const Multigrid& on) const;
 
  private:
-  bool edits_colours_ = false, keeps_edges_ = false;
+  bool edits_colours_ = false, edits_texture_ = false, keeps_edges_ = false;
   size_t bands_ = 0;  // the most that an edit sets
   std::bitset<kPaintLayers> painted_;
 };

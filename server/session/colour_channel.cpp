@@ -1,5 +1,7 @@
 #include "server/session/colour_channel.h"
 
+#include <algorithm>
+
 #include "common/evaluation/evaluation.h"
 #include "common/mesh/srgb.h"
 #include "server/session/fit_signal.h"
@@ -19,6 +21,11 @@ ColourChannel::ColourChannel(const Multigrid& on, const SolverOptions& options)
 ColourChannel::~ColourChannel() = default;
 
 void ColourChannel::want(const Fields& fields) {
+  texture_ = on_.prepared->colours.empty() ? TextureFilter() : fields.texture();
+  want_filtered(fields);
+}
+
+void ColourChannel::want_filtered(const Fields& fields) {
   const uint64_t version = fields.paint_versions().colour;
   const bool is_paint_new = version != paint_version_ || fields.colour_hold() != hold_;
   if (fields.colour() == filter_ && !is_paint_new) return;
@@ -68,17 +75,25 @@ static std::vector<Vec3f> linear_colours(std::span<const Rgba8> colours) {
   return linear;
 }
 
+void ColourChannel::fit() {
+  fitted_ = fit_signal(on_, linear_colours(on_.prepared->colours)).corners;
+}
+
 Status ColourChannel::begin() {
   ASSIGN_OR_RETURN(solver_, make_second_solver(on_, options_));
-  const std::vector<Vec3f> colours = linear_colours(on_.prepared->colours);
-  fitted_ = fit_signal(on_, colours).corners;
+  if (fitted_.empty()) fit();
   solver_->set_signal(fitted_);
-  mesh_ = std::make_unique<MeshSignal>(*on_.prepared, colours);
+  mesh_ = std::make_unique<MeshSignal>(*on_.prepared, linear_colours(on_.prepared->colours));
   if (follow_.empty()) take_paint(nullptr);
   return Status::ok();
 }
 
 Status ColourChannel::step() {
+  if (lacks_fit() || lacks_light()) {
+    if (lacks_fit()) fit();
+    if (lacks_light()) light_ = find_baked_light(on_, fitted_);
+    return Status::ok();
+  }
   if (!solver_) RETURN_IF_ERROR(begin());
   if (!is_on_mesh_) return step_on_grid();
   step_on_mesh();
@@ -146,25 +161,53 @@ void ColourChannel::show_to_solver() {
 }
 
 ColourChange ColourChannel::change() const {
-  if (is_kept_ || !solver_) return {};
-  return {solver_->displacement(), fitted_, share_};
+  ColourChange change;
+  if (!is_kept_ && solver_) change = {solver_->displacement(), fitted_, share_};
+  if (!texture_.is_on() || lacks_fit() || lacks_light()) return change;
+  change.fitted = fitted_;
+  change.texture = {texture_, texture_.remove_light > 0 ? light_ : std::span<const CornerNumber>(),
+                    hold_ ? hold_->weight : std::span<const float>()};
+  return change;
+}
+
+/// Calls use(vertex, change) from several threads.
+template <typename Use>
+void ColourChannel::each_change(const Use& use) const {
+  const PreparedMesh& prepared = *on_.prepared;
+  const SparseGrid& grid = on_.hierarchy->at(on_.hierarchy->finest).grid;
+  const ColourChange change = this->change();
+  std::vector<Vec3f> filtered(prepared.vertices.size(), Vec3f::Zero());
+  if (!change.on_grid.empty() && is_on_mesh_) filtered = mesh_->change();
+  if (!change.on_grid.empty() && !is_on_mesh_)
+    std::ranges::copy(solver_->vertex_displacement(), filtered.begin());
+#pragma omp parallel for schedule(static)
+  for (size_t v = 0; v < filtered.size(); ++v)
+    use(v, with_texture(change, grid, prepared.evaluation[v], prepared.colours[v], filtered[v]));
 }
 
 std::vector<Rgba8> ColourChannel::colours() const {
-  const PreparedMesh& prepared = *on_.prepared;
-  std::vector<Rgba8> colours(prepared.colours.begin(), prepared.colours.end());
-  if (is_kept_ || !solver_) return colours;
-  const std::span<const Vec3f> on_grid = solver_->vertex_displacement();
-  const std::vector<Vec3f> change =
-      is_on_mesh_ ? mesh_->change() : std::vector<Vec3f>(on_grid.begin(), on_grid.end());
-#pragma omp parallel for schedule(static)
-  for (size_t v = 0; v < colours.size(); ++v) colours[v] = changed_colour(colours[v], change[v]);
+  const std::span<const Rgba8> before = on_.prepared->colours;
+  std::vector<Rgba8> colours(before.begin(), before.end());
+  if (!change().is_there()) return colours;
+  each_change([&](size_t v, const PointChange& change) {
+    colours[v] = changed_colour(before[v], change.colour);
+  });
   return colours;
+}
+
+std::vector<TexelChange> ColourChannel::texels() const {
+  const std::span<const Rgba8> before = on_.prepared->colours;
+  if (!change().is_there()) return {};
+  std::vector<TexelChange> texels(before.size());
+  each_change([&](size_t v, const PointChange& change) {
+    texels[v] = texel_change(before[v], change.colour, change.gain);
+  });
+  return texels;
 }
 
 uint64_t ColourChannel::byte_count() const {
   return (solver_ ? solver_->byte_count() : 0) + (mesh_ ? mesh_->byte_count() : 0) +
-         fitted_.size() * sizeof(Vec3f) +
+         fitted_.size() * sizeof(Vec3f) + light_.size() * sizeof(CornerNumber) +
          (follow_.size() + own_.size() + share_.size()) * sizeof(float);
 }
 

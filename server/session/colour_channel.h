@@ -4,26 +4,19 @@
 #include <span>
 #include <vector>
 
+#include "common/mesh/texel_change.h"
 #include "server/fields/fields.h"
+#include "server/session/colour_change.h"
 #include "server/session/mesh_signal.h"
 #include "server/solver/solver.h"
 
 namespace burnish {
 
-/// A change of colour on the grid and what it leaves of details that are finer than a cell. At a
-/// point of colour f the change is that of the grid, plus the cell's share times f less the fitted
-/// colour.
-struct ColourChange {
-  std::span<const Vec3f> on_grid;  ///< per corner; empty: no colour changes
-  std::span<const Vec3f> fitted;   ///< per corner: the grid's nearest to the scan's colours
-  std::span<const float> share;    ///< per cell, of the last solve on triangles; empty before it
-};
-
 /// The colours of a scan as a second signal on its surface: the equation of the displacement, with
 /// colours in linear light in place of places, and with an α, β and paint of their own. A colour of
 /// the scan changes by the solver's result there. A solver of its own is made when colours are
 /// first edited. Colours know details finer than a cell, so once the grid is solved a few steps on
-/// the scan's own triangles follow.
+/// the scan's own triangles follow. The texture filter takes no solve, only a fit.
 class ColourChannel {
  public:
   ColourChannel(const Multigrid& on, const SolverOptions& options);
@@ -36,9 +29,9 @@ class ColourChannel {
   void start_over();
 
   /// Returns whether the colours are not yet what is wanted.
-  bool is_solving() const { return is_solving_; }
+  bool is_solving() const { return is_solving_ || lacks_fit() || lacks_light(); }
 
-  /// Does one cycle. Fails: as Solver::create() and Solver::status() do.
+  /// Does one cycle, or a fit. Fails: as Solver::create() and Solver::status() do.
   Status step();
 
   /// Returns the change of colour anywhere on the surface, valid until the next step. Units: linear
@@ -47,10 +40,18 @@ class ColourChannel {
 
   /// Returns the colours of the vertices. Shapes: one per vertex.
   std::vector<Rgba8> colours() const;
+  /// Returns what the texels at the vertices do. Shapes: one per vertex; empty: none changes.
+  std::vector<TexelChange> texels() const;
 
   uint64_t byte_count() const;
 
  private:
+  bool lacks_fit() const { return texture_.is_on() && fitted_.empty(); }
+  bool lacks_light() const { return texture_.remove_light > 0 && light_.empty(); }
+  void fit();
+  void want_filtered(const Fields& fields);
+  template <typename Use>
+  void each_change(const Use& use) const;
   Status begin();
   void begin_on_grid();
   Status step_on_grid();
@@ -68,13 +69,15 @@ class ColourChannel {
   bool is_on_mesh_ = false;  // the grid is solved
   std::vector<Vec3f> fitted_;
   std::vector<float> share_;
-  bool is_kept_ = true;  // no colour changes
+  std::vector<CornerNumber> light_;
+  bool is_kept_ = true;  // by the filter of colours
   bool is_solving_ = false;
   bool is_metric_new_ = true, is_scale_new_ = true, starts_over_ = false;
   int cycles_ = 0;      // on the grid, since the last change
   int mesh_steps_ = 0;  // likewise
   // What is wanted.
   ColourFilter filter_;
+  TextureFilter texture_;
   uint64_t paint_version_ = 0;
   std::shared_ptr<const Hold> hold_;
   TransferCurve curve_;

@@ -69,11 +69,6 @@ LayerCheck EditedFields::layers() const {
   return {now.settings, now.paints_edges};
 }
 
-static bool needs_colours(const Edit& edit) {
-  const auto* stroke = std::get_if<Stroke>(&edit.change);
-  return std::holds_alternative<SetColour>(edit.change) || (stroke && stroke->brush.colour);
-}
-
 /// The least volume that a scan can keep, over its area times its diagonal. Below that the volume
 /// is what rounding leaves where pieces that are inside out take it from the others.
 static constexpr double kVolumeShareMin = 1e-6;
@@ -95,7 +90,7 @@ static Status check_volume(const PreparedMesh& prepared) {
 Status EditedFields::check_new(const Edit& edit) const {
   const auto* bounds = std::get_if<SetControls>(&edit.change);
   if (bounds && bounds->controls.keep_volume) RETURN_IF_ERROR(check_volume(prepared_));
-  if (needs_colours(edit) && prepared_.colours.empty())
+  if (needs_colours(edit.change) && prepared_.colours.empty())
     return failed_precondition("the scan has no colours to edit");
   if (const auto* cells = std::get_if<SetCellFields>(&edit.change))
     return fields_.check_new(*cells);

@@ -378,6 +378,10 @@ TriangleMesh Session::surface() {
   return mesh;
 }
 
+std::vector<TexelChange> Session::texels() const {
+  return state_->colour.texels();
+}
+
 const PreparedMesh& Session::prepared() const {
   return *state_->prepared;
 }

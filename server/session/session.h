@@ -8,9 +8,10 @@
 #include "common/base/progress.h"
 #include "common/base/status.h"
 #include "common/edit/edit.h"
+#include "common/mesh/texel_change.h"
 #include "common/mesh/triangle_mesh.h"
 #include "server/prepare/prepared_mesh.h"
-#include "server/session/colour_channel.h"
+#include "server/session/colour_change.h"
 #include "server/session/edited_fields.h"
 #include "server/session/previews.h"
 #include "server/solver/solver.h"
@@ -108,6 +109,9 @@ class Session {
 
   /// Returns the present surface: same triangles, moved vertices, filtered colours.
   TriangleMesh surface();
+  /// Returns what the texels at the vertices of surface() do. Shapes: one per vertex; empty: none
+  /// changes.
+  std::vector<TexelChange> texels() const;
 
   const PreparedMesh& prepared() const;
   const Fields& fields() const { return edited().fields(); }

@@ -63,6 +63,7 @@ PARTS = {
     "alpha": (("--alpha", "30"),),
     "bands": (("--band", "0.01:0"), ("--band", "0.03:1.5")),
     "colours": (("--colour-beta", "0"),),
+    "texture": (("--texture-gain", "2"), ("--remove-light", "0.5")),
     "cap": (("--cap", "0.002"),),
     "volume": (("--keep-volume", "on"),),
     "free rims": (("--pin-rims", "off"),),
@@ -108,7 +109,8 @@ def pairs(count, seed=1):
 
 def applies(case, facts):
     """Returns whether a scan can take the case: others are refused, which is tried as well."""
-    if case.has("--colour-beta") and not facts.has_colours:
+    edits_colours = case.has("--colour-beta") or case.has("--texture-gain")
+    if edits_colours and not facts.has_colours:
         return False
     if case.has("--keep-edges") and (case.has("--keep-volume") or case.has("--band")):
         return False

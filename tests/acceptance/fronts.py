@@ -213,6 +213,8 @@ def _script_lines(settings):
         lines.append("bands " + " ".join(_bands(settings)))
     if "--colour-beta" in given:
         lines.append(f"colours {given['--colour-beta']} {given.get('--colour-alpha', '')}".rstrip())
+    if "--texture-gain" in given:
+        lines.append(f"texture {given['--texture-gain']} {given.get('--remove-light', '')}".rstrip())
     for name, value in settings:
         if name == "--palette":
             lines.append("palette " + value.replace("\n", " ; "))
@@ -253,6 +255,9 @@ def _changes(settings):
         changes.append(burnish.Equaliser([burnish.Band(float(s), float(g)) for s, g in parts]))
     if "--colour-beta" in given:
         changes.append(burnish.ColourFilter(float(given["--colour-beta"])))
+    if "--texture-gain" in given:
+        changes.append(burnish.TextureFilter(float(given["--texture-gain"]),
+                                             float(given.get("--remove-light", 0))))
     makers = {"--palette": _palette, "--stroke": _stroke, "--protect": _region}
     for wanted, make in makers.items():
         changes += [make(value) for name, value in settings if name == wanted]

@@ -49,7 +49,9 @@ decltype(Edit::change) RestlessEditor::next_change() {
       return SetColour{{5 + upto(50), upto(2)}};
     case 10:
       return Protect{NoRegion{}};
-    case 11:  // a session has bands or kept edges
+    case 11:
+      return SetTexture{{upto(4), upto(1)}};
+    case 12:  // a session has bands or kept edges
       if (place_.has_bands) return SetEqualiser{{{{place_.brush_radius, upto(2)}}}};
       return SetEdges{{.strength = upto(1), .passes = 1 + static_cast<int>(random_() % 5)}};
     default:

@@ -206,9 +206,10 @@ Result<FilteredFacts> filter_file(const FilterOptions& options, const std::vecto
   ASSIGN_OR_RETURN(const TriangleMesh surface,
                    with_memory_for("the filtered surface",
                                    [&]() -> Result<TriangleMesh> { return session->surface(); }));
+  const std::vector<TexelChange> texels = session->texels();
   RETURN_IF_ERROR(
       write_out(options, paths, formats,
-                {mesh.vertices, surface, session->edited().controls().cap, mesh.colours},
+                {mesh.vertices, surface, session->edited().controls().cap, mesh.colours, texels},
                 printer.progress(), facts));
   run.write_seconds = writing.seconds();
   run.volume = session->kept_volume();

@@ -12,7 +12,7 @@ from ._version import __version__
 from .cells import CellFields
 from .connection import Connection, connect
 from .edits import (Band, Brush, ColourFilter, Controls, EdgeFilter, Equaliser, GradientScale,
-                    Palette, PaletteCurve, Stroke, TransferCurve)
+                    Palette, PaletteCurve, Stroke, TextureFilter, TransferCurve)
 from .errors import (AlreadyExists, Cancelled, Damaged, DeadlineExceeded, Error,
                      FailedPrecondition, Internal, InvalidArgument, NotFound, PermissionDenied,
                      Refused, ResourceExhausted, SessionEnded, Unauthenticated, Unavailable,
@@ -41,7 +41,7 @@ __all__ = [
     "InvalidArgument", "InvertProtected", "Live", "Mesh", "NotFound", "Options", "Palette",
     "PaletteCurve", "People", "PermissionDenied", "Prepared", "ProtectCurvature", "ProtectLasso",
     "ProtectPiece", "Refused", "ResourceExhausted", "Scan", "Server", "Session", "SessionEnded", "State",
-    "Stroke", "ThinWalls", "TransferCurve", "Unauthenticated", "Unavailable", "Unimplemented",
-    "__version__", "animate", "connect", "filter", "filter_all", "filter_mesh", "filter_vertices",
+    "Stroke", "TextureFilter", "ThinWalls", "TransferCurve", "Unauthenticated", "Unavailable",
+    "Unimplemented", "__version__", "animate", "connect", "filter", "filter_all", "filter_mesh", "filter_vertices",
     "load_ply", "presets", "render", "serve",
 ]

@@ -233,6 +233,24 @@ class ColourFilter:
 
 
 @dataclasses.dataclass(frozen=True)
+class TextureFilter:
+    """Changes the scan's colours and the texels of its pictures, without a solve.
+
+    `gain`, 0 to 4: times how much they differ from what the grid knows of them. `remove_light`, 0 to
+    1: how much of the light goes that was there when they were taken.
+    """
+
+    gain: float = 1.0
+    remove_light: float = 0.0
+
+    def __post_init__(self) -> None:
+        check_fields(self, gain=float, remove_light=float)
+
+    def to_wire(self) -> dict[str, Any]:
+        return {"texture": editing_pb2.TextureFilter(gain=self.gain, remove_light=self.remove_light)}
+
+
+@dataclasses.dataclass(frozen=True)
 class EdgeFilter:
     """Takes noise away and keeps edges, before the shape is smoothed or sharpened; strength 0 ends it.
 

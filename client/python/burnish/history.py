@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from burnish.v1 import editing_pb2
 
-from .edits import Band, ColourFilter, Controls, EdgeFilter, PaletteCurve, TransferCurve
+from .edits import Band, ColourFilter, Controls, EdgeFilter, PaletteCurve, TextureFilter, TransferCurve
 from .scan import ThinWalls
 
 KINDS: dict[int, str] = {
@@ -38,7 +38,7 @@ class Entry:
     time: datetime.datetime
     kind: str
     """gradient scale, transfer curve, stroke, cell fields, controls, protect, equaliser, palette,
-    colour, edges, checkpoint or damaged; other where neither program knows more: see the summary."""
+    colour, edges, texture, checkpoint or damaged; other where neither program knows more: see the summary."""
     summary: str
     """In a few words; a checkpoint's name."""
     enabled: bool
@@ -77,10 +77,12 @@ class State:
     """Of the scan's colours; beta 1 keeps them."""
     edges: EdgeFilter
     """How edges are kept; at strength 0 they are not."""
+    texture: TextureFilter
+    """Of the scan's colours."""
 
     @classmethod
     def of(cls, message: editing_pb2.SessionState) -> State:
-        controls, colour = message.controls, message.colour
+        controls, colour, texture = message.controls, message.colour, message.texture
         return cls(message.gradient_scale,
                    TransferCurve.of(message.transfer_curve),
                    Controls(controls.pin_rims, controls.cap, controls.keep_volume),
@@ -92,7 +94,9 @@ class State:
                     for one in message.palette.curves],
                    ColourFilter(colour.beta, colour.alpha) if message.HasField("colour")
                    else ColourFilter(1.0),
-                   EdgeFilter.of(message.edges) if message.HasField("edges") else EdgeFilter(0.0))
+                   EdgeFilter.of(message.edges) if message.HasField("edges") else EdgeFilter(0.0),
+                   TextureFilter(texture.gain, texture.remove_light)
+                   if message.HasField("texture") else TextureFilter())
 
 
 @dataclasses.dataclass(frozen=True)

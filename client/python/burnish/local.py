@@ -19,7 +19,7 @@ from ._channel import PathLike
 from .arrays import ArrayFile
 from .errors import Error, InvalidArgument, error_of
 from .libraries import held
-from .options import Options, OptionWords, options_of, shows_options
+from .options import Options, OptionWords, edits_colours, options_of, shows_options
 from .program import find_program
 from .progress import Progress, Whole, whole
 
@@ -133,12 +133,11 @@ def filter_mesh(mesh: AnyMesh, *, progress: Progress | None = None, **options: U
 
     `mesh` is a Mesh, or one of trimesh, Open3D, PyVista, VTK, meshio, PyMeshLab or Blender. What
     the library keeps beside the positions stays, normals too. `options` are the fields of Options;
-    `colour_beta` edits the colours of vertices. Raises TypeError for other things; ValueError;
-    Refused, Error.
+    `colour_beta`, `texture_gain` and `remove_light` edit the colours of vertices. Raises TypeError
+    for other things; ValueError; Refused, Error.
     """
     given = held(mesh)
-    edits_colours = options.get("colour_beta") is not None and given.colours is not None
-    if not edits_colours:
+    if given.colours is None or not edits_colours(options):
         return cast(AnyMesh, given.rebuild(filter_vertices(
             given.vertices, given.faces, progress=progress, **options), None))
     return cast(AnyMesh, given.rebuild(*filter_vertices(

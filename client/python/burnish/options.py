@@ -35,6 +35,10 @@ class Options:
     """Gains by the size of details, at most 6."""
     colour_beta: float | None = None
     colour_alpha: float | None = None
+    texture_gain: float | None = None
+    """Details of the colours, 0 to 4: below 1 fades, 1 keeps."""
+    remove_light: float | None = None
+    """How much of the light in the colours goes, 0 to 1."""
     keep_edges: str | None = None
     """Takes noise away and keeps edges before beta smooths or sharpens: "machined", "scanner",
     "soft" or "relief", "auto", as the scan's own noise asks, or "off"."""
@@ -57,8 +61,8 @@ class Options:
     def __post_init__(self) -> None:
         check_fields(self, optional=True, beta=float, alpha=float, wavelength=float,
                      curve=TransferCurve, preset=str, strength=float, colour_beta=float,
-                     colour_alpha=float, keep_edges=str, edge_strength=float, edge_angle=float,
-                     edge_passes=int, crispness=float, controls=Controls, depth=int, cycles=int)
+                     colour_alpha=float, texture_gain=float, remove_light=float, keep_edges=str,
+                     edge_strength=float, edge_angle=float, edge_passes=int, crispness=float, controls=Controls, depth=int, cycles=int)
         check_fields(self, exact=bool)
         check_all("Options: bands", self.bands, Band)
 
@@ -67,6 +71,7 @@ class Options:
         given = {"beta": self.beta, "alpha": self.alpha, "wavelength": self.wavelength,
                  "preset": self.preset, "strength": self.strength,
                  "colour-beta": self.colour_beta, "colour-alpha": self.colour_alpha,
+                 "texture-gain": self.texture_gain, "remove-light": self.remove_light,
                  "keep-edges": self.keep_edges, "edge-strength": self.edge_strength,
                  "edge-angle": self.edge_angle, "edge-passes": self.edge_passes,
                  "crispness": self.crispness,
@@ -96,6 +101,8 @@ class OptionWords(TypedDict, total=False):
     bands: Sequence[Band]
     colour_beta: float | None
     colour_alpha: float | None
+    texture_gain: float | None
+    remove_light: float | None
     keep_edges: str | None
     edge_strength: float | None
     edge_angle: float | None
@@ -105,6 +112,12 @@ class OptionWords(TypedDict, total=False):
     depth: int | None
     exact: bool
     cycles: int | None
+
+
+def edits_colours(words: Mapping[str, Any]) -> bool:
+    """Returns whether these options change the colours of a mesh that has some."""
+    return any(words.get(name) is not None
+               for name in ("colour_beta", "texture_gain", "remove_light"))
 
 
 def options_of(words: Mapping[str, Any]) -> Options:

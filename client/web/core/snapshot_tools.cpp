@@ -127,6 +127,8 @@ void write_tools(const Workspace& workspace, const FrontState& state, JsonWriter
   write_palette(document, json);
   json.key("colours").open().number("beta", document.colour_filter().beta);
   json.number("alpha", document.colour_filter().alpha).close();
+  json.key("texture").open().number("gain", document.texture().gain);
+  json.number("removeLight", document.texture().remove_light).close();
   write_brush(document.brush().brush, json);
   write_pointer(workspace, state, json);
 }

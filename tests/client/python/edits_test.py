@@ -156,11 +156,15 @@ class Edits(Sdk):
                 (burnish.Stroke(burnish.Brush(1, strength=2), point), ["strength", "2", "1"]),
                 (burnish.Stroke(burnish.Brush(1e-3), [[0, 0, 0]]), ["surface"]),
                 (burnish.Equaliser([burnish.Band(1, 11)]), ["gain", "11", "10"]),
+                (burnish.TextureFilter(gain=5), ["texture", "gain", "5", "4"]),
+                (burnish.TextureFilter(remove_light=2), ["light", "2", "1"]),
                 (burnish.GrowProtected(65), ["65", "64"])):
             with self.subTest(words), self.assertRefused(burnish.InvalidArgument, *words):
                 self.session.apply(change)
         with self.assertRefused(burnish.FailedPrecondition, "colours"):
             self.session.apply(burnish.ColourFilter(0.5))
+        with self.assertRefused(burnish.FailedPrecondition, "colours"):
+            self.session.apply(burnish.TextureFilter(2))
         with self.assertRefused(burnish.InvalidArgument, "65", "64"):
             self.session.apply(*[burnish.GradientScale(1)] * 65)
 

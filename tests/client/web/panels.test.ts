@@ -382,6 +382,12 @@ test("ColoursAreFilteredAndShown", () =>
     await visit.sent("colours 0.5 50");
     await panel.getByRole("button", { name: "Keep colours" }).click();
     await visit.sent("colours 1 50");
+    await panel.getByRole("textbox", { name: "Texture gain as a number" }).fill("2.5");
+    await visit.page.keyboard.press("Enter");
+    await visit.sent("texture 2.5 0");
+    await panel.getByRole("textbox", { name: "Remove light as a number" }).fill("0.5");
+    await visit.page.keyboard.press("Enter");
+    await visit.sent("texture 1 0.5");
   }));
 
 test("HistorySwitchesRestoresAndForks", () =>

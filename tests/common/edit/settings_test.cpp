@@ -19,6 +19,7 @@ TEST(Settings, TheLastEditOfAKindCountsAndStrokesSetNothing) {
   settings.take(Change(SetPalette{{{{"letters", 0xd04040, TransferCurve(9)}}}}));
   settings.take(PreviewChange(SetColour{{.beta = 0.25}}));
   settings.take(Change(SetEdges{{.strength = 0.5}}));
+  settings.take(PreviewChange(SetTexture{{2, 0.5}}));
   const Settings all = settings;
   EXPECT_EQ(all, (Settings{0.5,
                            TransferCurve(8),

@@ -24,7 +24,7 @@ TEST(HistoryWire, APageComesBackUnchanged) {
   page.complete = false;
   const HistoryPage back = from_wire(to_wire(page)).value();
   EXPECT_FALSE(back.complete);
-  ASSERT_EQ(back.entries.size(), 12u);
+  ASSERT_EQ(back.entries.size(), 13u);
   for (size_t i = 0; i < back.entries.size(); ++i) {
     EXPECT_EQ(back.entries[i].number, page.entries[i].number);
     EXPECT_EQ(back.entries[i].kind, page.entries[i].kind);

@@ -23,6 +23,7 @@ std::vector<AuthoredEdit> one_of_each_kind() {
       SetEqualiser{{{{0.5, 2}}}},
       SetPalette{{{{"grooves", 0x112233, TransferCurve(7)}}}},
       SetColour{{20, 0.5}},
+      SetTexture{{2, 0.25}},
       SetEdges{{0.5, NormalFilterKind::kEdges, 40, 7, 0.25}},
       Undo{},
       Redo{},
@@ -65,7 +66,7 @@ class JournalCopyTest : public testing::TestWithParam<JournalKind> {
 INSTANTIATE_TEST_SUITE_P(From, JournalCopyTest, testing::ValuesIn(kJournalKinds), name_of_kind);
 
 TEST_P(JournalCopyTest, EveryKindOfEditArrivesAsItWas) {
-  static_assert(std::variant_size_v<decltype(Edit::change)> == 16, "add the new kind");
+  static_assert(std::variant_size_v<decltype(Edit::change)> == 17, "add the new kind");
   const auto copied = copy_journal(*source_, *target_);
   ASSERT_TRUE(copied.is_ok()) << copied.status().message();
   EXPECT_EQ(copied->sessions, 2u);

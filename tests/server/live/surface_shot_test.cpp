@@ -25,6 +25,19 @@ class SurfaceShotTest : public testing::Test {
     made.pages = source_->find_or_make(numbers, PageFrameKind::kVertices).value();
     return std::make_shared<const ClientPages>(made);
   }
+  /// The same, with white pages of colours.
+  std::shared_ptr<const ClientPages> white_client(const std::vector<PageId>& numbers) {
+    ClientPages made = *client(numbers);
+    for (auto& page : made.pages) {
+      if (!is_colours(page->number())) continue;
+      auto white = std::make_shared<LivePage>();
+      white->evaluation = page->evaluation;
+      white->cells = page->cells;
+      white->colours.assign(white->evaluation.points.size(), Rgba8{255, 255, 255, 255});
+      page = std::move(white);
+    }
+    return std::make_shared<const ClientPages>(std::move(made));
+  }
   SurfaceMoment moment(bool settled = true) const {
     return {grid(), mesh_->prepared->evaluation, displacement_, beta_, settled};
   }
@@ -72,15 +85,7 @@ TEST_F(SurfaceShotTest, ColoursArePagesOfTheirOwn) {
 
 // The page is white, the fitted colours are black, so the cells' share is added whole.
 TEST_F(SurfaceShotTest, DetailsOfColoursComeFromTheVertexItself) {
-  const auto shown = client({1, 1 | kColourPages});
-  auto white = std::make_shared<LivePage>();
-  white->evaluation = shown->pages[1]->evaluation;
-  white->cells = shown->pages[1]->cells;
-  white->colours.assign(white->evaluation.points.size(), Rgba8{255, 255, 255, 255});
-  ClientPages made = *shown;
-  made.pages[1] = white;
-  const std::shared_ptr<const ClientPages> clients[] = {
-      std::make_shared<const ClientPages>(std::move(made))};
+  const std::shared_ptr<const ClientPages> clients[] = {white_client({1, 1 | kColourPages})};
   const std::vector<Vec3f> red(displacement_.size(), Vec3f(0.5F, 0, 0)),
       black(displacement_.size(), Vec3f::Zero());
   const std::vector<float> share(grid().cells.size(), -0.25F);
@@ -89,6 +94,23 @@ TEST_F(SurfaceShotTest, DetailsOfColoursComeFromTheVertexItself) {
   const SurfaceShot shot = SurfaceShot::take(coloured, clients).value();
   EXPECT_EQ(shot.wanted(*clients[0])[1].steps[0], 0.25 * 16 * 256);
   EXPECT_EQ(shot.wanted(*clients[0])[1].steps.back(), -0.25 * 16 * 256);
+}
+
+TEST_F(SurfaceShotTest, AGainOfTexelsIsAPageOfItsOwn) {
+  const std::shared_ptr<const ClientPages> clients[] = {
+      white_client({1, 1 | kColourPages, 1 | kGainPages})};
+  const std::vector<Vec3f> grey(displacement_.size(), Vec3f::Constant(0.75F));
+  SurfaceMoment coloured = moment();
+  coloured.colour.fitted = grey;
+  const SurfaceShot plain = SurfaceShot::take(coloured, clients).value();
+  EXPECT_THAT(plain.wanted(*clients[0])[2].steps, testing::Each(0));
+  coloured.colour.texture.filter.gain = 2;
+  const SurfaceShot shot = SurfaceShot::take(coloured, clients).value();
+  const auto wanted = shot.wanted(*clients[0]);
+  EXPECT_THAT(wanted[1].steps, testing::Each(0.25 * 16 * 256));
+  const size_t vertices = wanted[2].steps.size() / 3;
+  EXPECT_THAT(wanted[2].steps.first(vertices), testing::Each(1 * 16 * 256));
+  EXPECT_THAT(wanted[2].steps.subspan(vertices), testing::Each(0));
 }
 
 TEST_F(SurfaceShotTest, AnUnmovedSurfaceNeedsNoSolver) {

@@ -4,7 +4,7 @@ import { command } from "./commands";
 import { useLink } from "./context";
 import { Button, Title } from "./controls";
 import { alphaOf, isViewer, swapAlpha, type PanelProps } from "./filter_panel";
-import { Slider, betaScale, betaTone, logarithmic } from "./slider";
+import { Slider, betaScale, betaTone, linear, logarithmic } from "./slider";
 import { short } from "./words";
 
 const kWaveCellsMin = 2;
@@ -54,6 +54,44 @@ export function ColourPanel({ document }: PanelProps) {
         hint="Sets the gradient scale to 1. Painted colours stay painted."
         disabled={disabled}
         onClick={() => link.send(command.colours(1, alpha))}
+      />
+      <Texture document={document} />
+    </>
+  );
+}
+
+const kTextureGainMax = 4;
+
+function Texture({ document }: PanelProps) {
+  const link = useLink();
+  const { gain, removeLight } = document.texture;
+  return (
+    <>
+      <Title
+        text="Texture gain"
+        hint="Details of the colours that are finer than a cell of the grid: left fades them, right makes them stronger"
+      />
+      <Slider
+        name="Texture gain"
+        value={gain}
+        scale={linear(0, kTextureGainMax)}
+        format={short}
+        disabled={isViewer(document)}
+        onMove={(moved) => link.send(command.preview(command.texture(moved, removeLight)))}
+        onDone={(moved) => link.send(command.texture(moved, removeLight))}
+      />
+      <Title
+        text="Remove light"
+        hint="How much goes of the light that was there when the colours were taken"
+      />
+      <Slider
+        name="Remove light"
+        value={removeLight}
+        scale={linear(0, 1)}
+        format={short}
+        disabled={isViewer(document)}
+        onMove={(moved) => link.send(command.preview(command.texture(gain, moved)))}
+        onDone={(moved) => link.send(command.texture(gain, moved))}
       />
     </>
   );

@@ -298,6 +298,7 @@ export interface Document {
   response: number[];
   palette: { name: string; colour: number; curve: string }[];
   colours: { beta: number; alpha: number };
+  texture: { gain: number; removeLight: number };
   brush: Brush;
   tool: Tool;
   lasso: Lasso;

@@ -79,6 +79,7 @@ const kViews: [name: string, lines: string[], turns: number][] = [
   ["near", ["camera 10 70 250 0 -60 0", ...kTexels], 10],
   ["lit", ["camera 25 20", "colour scan", "light clay"], 0],
   ["edited", ["camera 25 20", ...kTexels, "colours 0.2 20"], 0],
+  ["strong", ["camera 25 20", ...kTexels, "texture 2 0.5"], 0],
 ];
 
 /** Visits the page anew for each view: finer texels of another view would stay. */
