@@ -1,23 +1,7 @@
 // Calls of the core over WebSockets, as docs/web.md says: one socket for Edit, up to four for the others. A socket
 // carries calls one after the other.
 
-/** What the core hears of its calls. Never called from within a function of Calls. */
-export interface CallEvents {
-  message(call: number, bytes: Uint8Array): void;
-  ended(call: number, end: CallEnd): void;
-}
-
-/** As gRPC has it. */
-export interface CallEnd {
-  code: number;
-  message: string;
-  details: Uint8Array;
-}
-
-export interface Who {
-  user: string;
-  token: string;
-}
+import { Heard, type CallEnd, type CallEvents, type Carrier, type Who } from "./heard";
 
 const kSubprotocol = "burnish.v1";
 const kOthersMax = 4;
@@ -34,10 +18,6 @@ interface Call {
   waiting: (string | Uint8Array)[];
   waitingBytes: number;
   socket: CallSocket | null;
-  /** Messages that may be handed over, and those that wait for it. */
-  allowed: number;
-  heard: Uint8Array[];
-  end: CallEnd | null;
   isCancelled: boolean;
 }
 
@@ -52,8 +32,10 @@ interface CallSocket {
 
 const kNoDetails = new Uint8Array();
 
-export class Calls {
+export class Calls implements Carrier {
+  /** Those that have not ended. */
   private readonly calls = new Map<number, Call>();
+  private readonly heard: Heard;
   private readonly line: Call[] = [];
   private readonly sockets = new Set<CallSocket>();
   private last = 0;
@@ -62,16 +44,17 @@ export class Calls {
   /** `address` is the origin of the page. `soon` runs work in a turn of its own. */
   constructor(
     private readonly address: string,
-    private readonly events: CallEvents,
-    private readonly soon: (work: () => void) => void,
-  ) {}
+    events: CallEvents,
+    soon: (work: () => void) => void,
+  ) {
+    this.heard = new Heard(events, soon);
+  }
 
   /** For calls from here on. */
   setWho(who: Who): void {
     this.who = who;
   }
 
-  /** `node`: the server of a fleet that the call is for; empty: any. */
   open(method: string, node = ""): number {
     const call: Call = {
       number: ++this.last,
@@ -80,60 +63,51 @@ export class Calls {
       waiting: [],
       waitingBytes: 0,
       socket: null,
-      allowed: 1,
-      heard: [],
-      end: null,
       isCancelled: false,
     };
     const { user, token } = this.who;
     call.waiting.push(JSON.stringify({ call: method, ...(token && { token }), ...(user && { user }) }));
     this.calls.set(call.number, call);
+    this.heard.begin(call.number);
     this.line.push(call);
     this.serveLine();
     return call.number;
   }
 
-  /** Needs: bytes that nobody changes. */
   send(number: number, bytes: Uint8Array): void {
     const call = this.calls.get(number);
-    if (call && !call.end) this.put(call, bytes);
+    if (call) this.put(call, bytes);
   }
 
-  /** Says that no message follows. */
   end(number: number): void {
     const call = this.calls.get(number);
-    if (call && !call.end) this.put(call, JSON.stringify({ end: true }));
+    if (call) this.put(call, JSON.stringify({ end: true }));
   }
 
   cancel(number: number): void {
     const call = this.calls.get(number);
-    if (!call || call.end || call.isCancelled) return;
+    if (!call || call.isCancelled) return;
     call.isCancelled = true;
-    call.heard.length = 0;
+    this.heard.drop(number);
     if (call.socket) return this.put(call, JSON.stringify({ cancel: true }));
     this.line.splice(this.line.indexOf(call), 1);
     this.finish(call, { code: kCancelled, message: "cancelled", details: kNoDetails });
   }
 
-  /** Returns the bytes of a call that are not on the link yet. */
   buffered(number: number): number {
     const call = this.calls.get(number);
     if (!call) return 0;
     return call.waitingBytes + (call.socket?.socket.bufferedAmount ?? 0);
   }
 
-  /** Allows one more message to be handed over. */
   pull(number: number): void {
-    const call = this.calls.get(number);
-    if (!call) return;
-    ++call.allowed;
-    if (call.heard.length > 0 || call.end) this.soon(() => this.handOver(call));
+    this.heard.pull(number);
   }
 
-  /** Ends all sockets without a word to the core. */
   close(): void {
     for (const one of [...this.sockets]) this.closeSocket(one);
     this.calls.clear();
+    this.heard.clear();
     this.line.length = 0;
   }
 
@@ -206,8 +180,8 @@ export class Calls {
     const call = from.call;
     if (!call) return;
     if (typeof data !== "string") {
-      if (!call.isCancelled) call.heard.push(new Uint8Array(data));
-      return this.handOver(call);
+      if (!call.isCancelled) this.heard.message(call.number, new Uint8Array(data));
+      return;
     }
     from.call = null;
     call.socket = null;
@@ -216,23 +190,9 @@ export class Calls {
   }
 
   private finish(call: Call, end: CallEnd): void {
-    call.end = end;
-    call.socket = null;
-    call.waiting.length = 0;
-    call.waitingBytes = 0;
-    this.soon(() => this.handOver(call));
-  }
-
-  /** The end needs no leave, and comes after all messages. */
-  private handOver(call: Call): void {
-    if (!this.calls.has(call.number)) return;
-    while (call.allowed > 0 && call.heard.length > 0) {
-      --call.allowed;
-      this.events.message(call.number, call.heard.shift()!);
-    }
-    if (!call.end || call.heard.length > 0) return;
     this.calls.delete(call.number);
-    this.events.ended(call.number, call.end);
+    call.socket = null;
+    this.heard.end(call.number, end);
   }
 }
 

@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { beforeEach, test } from "node:test";
-import { Calls, type CallEnd } from "../../../client/web/engine/calls";
+import { Calls } from "../../../client/web/engine/calls";
+import type { CallEnd } from "../../../client/web/engine/heard";
 
 /** A socket whose other end is the test. */
 class FakeSocket {
