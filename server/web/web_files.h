@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "common/base/carried_file.h"
+
 namespace burnish {
 
 /// A file of the page, in both forms that it goes out in.
@@ -14,12 +16,6 @@ struct WebFile {
   std::string gzipped;        ///< the same, packed
   std::string etag;           ///< a hash of the bytes, in quotes
   bool is_immutable = false;  ///< its name has a hash: it never changes
-};
-
-/// A file as the program carries it.
-struct CarriedFile {
-  std::string_view name;  ///< "index.html", "style.css"
-  std::string_view bytes;
 };
 
 /// The files of the page by the target of a request: "/", "/favicon.ico", "/assets/style-1f2e.css".
