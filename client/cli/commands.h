@@ -31,6 +31,7 @@ void add_checkpoint_command(CommandTable& table);
 void add_fork_command(CommandTable& table);
 void add_people_command(CommandTable& table);
 void add_export_command(CommandTable& table);
+void add_publish_command(CommandTable& table);
 void add_deviation_command(CommandTable& table);
 void add_section_command(CommandTable& table);
 void add_unit_command(CommandTable& table);

@@ -17,6 +17,7 @@ void add_service_commands(CommandTable& table) {
   add_fork_command(table);
   add_people_command(table);
   add_export_command(table);
+  add_publish_command(table);
   add_deviation_command(table);
   add_section_command(table);
   add_unit_command(table);

@@ -10,6 +10,7 @@ export interface CoreExports {
   core_tick(nowMs: number): number;
   core_call_message(call: number, at: number, length: number): void;
   core_call_ended(call: number, code: number, at: number, length: number, details: number, detailsLength: number): void;
+  core_frame_checksum(frame: number, length: number): bigint;
   core_image_decoded(image: number, rgba: number): void;
   core_task(task: number): void;
   core_stack(task: number): number;

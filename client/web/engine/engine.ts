@@ -6,9 +6,11 @@ import type { CoreExports } from "./core_exports";
 import { beginDrawing } from "./drawing";
 import { Entries } from "./entries";
 import { Files } from "./files";
+import type { CallEvents, Carrier } from "./heard";
 import { Images } from "./images";
 import { CoreMemory } from "./memory";
 import { Pictures } from "./pictures";
+import { PublishedCalls } from "./published/calls";
 import { Store } from "./store";
 import { Exit, wasi } from "./wasi";
 
@@ -31,7 +33,7 @@ class Engine {
   private readonly images = new Images(this.memory, (image, rgba) =>
     this.entries.soon(() => this.handImage(image, rgba)),
   );
-  private readonly calls: Calls;
+  private readonly calls: Carrier;
   private readonly canvas: OffscreenCanvas;
   /** Of the next picture: a canvas of another size is empty, so both come together. */
   private resized: ResizeMessage | null = null;
@@ -40,20 +42,27 @@ class Engine {
 
   constructor(private readonly start: StartMessage) {
     this.canvas = start.canvas;
-    this.calls = new Calls(
-      start.address,
-      {
-        message: (call, bytes) =>
-          this.entries.enter((core) => core.core_call_message(call, ...this.memory.give(bytes))),
-        ended: (call, { code, message, details }) =>
-          this.entries.enter((core) =>
-            core.core_call_ended(call, code, ...this.memory.giveText(message), ...this.memory.give(details)),
-          ),
-      },
-      (work) => this.entries.soon(work),
-    );
+    this.calls = this.carrier();
     this.calls.setWho(start);
     this.store.fill(start.kept);
+  }
+
+  /** Returns what carries the core's calls: to the server of the page, or to the files of a publication. */
+  private carrier(): Carrier {
+    const { address, publication } = this.start;
+    const events: CallEvents = {
+      message: (call, bytes) =>
+        this.entries.enter((core) => core.core_call_message(call, ...this.memory.give(bytes))),
+      ended: (call, { code, message, details }) =>
+        this.entries.enter((core) =>
+          core.core_call_ended(call, code, ...this.memory.giveText(message), ...this.memory.give(details)),
+        ),
+    };
+    const soon = (work: () => void) => this.entries.soon(work);
+    if (!publication) return new Calls(address, events, soon);
+    const checksum = (frame: Uint8Array) =>
+      BigInt.asUintN(64, this.entries.enter((core) => core.core_frame_checksum(...this.memory.give(frame))) ?? 0n);
+    return new PublishedCalls(publication, events, soon, checksum, (sentence) => this.stop(sentence));
   }
 
   /** Loads the core. The page hears of it by the core's first snapshot. */
@@ -66,11 +75,11 @@ class Engine {
       host: { ...this.hostImports(), ...drawing.imports.host },
       wasi_snapshot_preview1: wasi(this.memory, (line) => this.write(line)),
     };
-    const { instance } = await WebAssembly.instantiateStreaming(fetch(drawing.core), imports);
+    const instance = await instantiate(drawing.core, imports);
     const exports = instance.exports as unknown as CoreExports;
     this.memory.bind(exports);
     this.entries.bind(exports);
-    const { canvas: _canvas, core: _core, rasterCore: _raster, kept: _kept, ...rest } = this.start;
+    const { canvas: _canvas, core: _core, rasterCore: _raster, kept: _kept, publication: _files, ...rest } = this.start;
     this.tell(rest);
     this.pictures.wake();
   }
@@ -155,6 +164,17 @@ class Engine {
     if (error instanceof Exit && this.lines.length === 0) return error.message;
     return [...this.lines, error instanceof Exit ? "" : String(error)].filter(Boolean).join("\n");
   }
+}
+
+/** Web servers that do not know the type of the file get it compiled once it is here. */
+async function instantiate(address: string, imports: WebAssembly.Imports): Promise<WebAssembly.Instance> {
+  const answer = await fetch(address);
+  if (!answer.ok) throw new Error(`${address}: the server answers ${answer.status}`);
+  const isKnown = answer.headers.get("Content-Type")?.startsWith("application/wasm");
+  const made = isKnown
+    ? await WebAssembly.instantiateStreaming(answer, imports)
+    : await WebAssembly.instantiate(await answer.arrayBuffer(), imports);
+  return made.instance;
 }
 
 let engine: Engine | null = null;

@@ -22,6 +22,8 @@
 #include "client/web/core/json_writer.h"
 #include "common/base/atomic_file.h"
 #include "common/base/check.h"
+#include "common/packing/checksum.h"
+#include "common/page_frames/page_frame_header.h"
 
 namespace burnish {
 
@@ -152,6 +154,12 @@ double core_tick(double) {
 void core_call_message(int call, uint8_t* message, size_t bytes) {
   const Handed handed(message, bytes);
   HostCall::on_message(call, handed.bytes());
+}
+
+uint64_t core_frame_checksum(uint8_t* frame, size_t bytes) {
+  const Handed handed(frame, bytes);
+  return sealed_checksum({frame, bytes}, kPageFrameHeaderBytes - sizeof(uint64_t),
+                         kPageFrameHeaderBytes);
 }
 
 void core_call_ended(int call, int code, uint8_t* text, size_t bytes, uint8_t* details,

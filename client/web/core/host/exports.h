@@ -25,6 +25,9 @@ void core_call_message(int call, uint8_t* message, size_t bytes) BURNISH_EXPORT(
 void core_call_ended(int call, int code, uint8_t* text, size_t bytes, uint8_t* details,
                      size_t details_bytes) BURNISH_EXPORT(core_call_ended);
 
+/// Returns the checksum of a frame of a live session (common/page_frames/page_frame_header.h).
+uint64_t core_frame_checksum(uint8_t* frame, size_t bytes) BURNISH_EXPORT(core_frame_checksum);
+
 /// `rgba`: the size that was asked for, rows from above; null: it is not a picture of this size.
 void core_image_decoded(int image, uint8_t* rgba) BURNISH_EXPORT(core_image_decoded);
 

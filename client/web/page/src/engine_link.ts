@@ -1,5 +1,6 @@
 // The page's side of the engine's worker.
 
+import type { PublicationStart } from "../../engine/published/calls";
 import { command } from "./commands";
 import type { Message, Snapshot } from "./snapshot";
 import type { Pictures, PointerMessage, ToPage, ToWorker } from "./protocol";
@@ -34,6 +35,7 @@ export interface EngineParts {
   core: string;
   rasterCore: string;
   pictures: Pictures;
+  publication: PublicationStart | null;
 }
 
 /** Keeps the state, and talks with one worker at a time. */
@@ -45,13 +47,15 @@ export class EngineLink {
   private losses = 0;
   private isLost = false;
   /** The session that the next engine opens; empty: none, or it is open. */
-  private wanted = "";
+  private wanted: string;
   private isJoining = false;
 
   constructor(
     private readonly makePort: () => EnginePort,
     private readonly parts: EngineParts,
-  ) {}
+  ) {
+    this.wanted = parts.publication?.scan.record.session_id ?? "";
+  }
 
   /** Hears what other pages of this browser keep, so that none overwrites it. Returns a function that stops. */
   listen(): () => void {
@@ -70,12 +74,10 @@ export class EngineLink {
     port.onerror = (event) => this.stop(event.message || "the engine did not load");
     this.port = port;
     const offscreen = canvas.transferControlToOffscreen();
-    const user = sessionStorage.getItem(kUser) ?? "";
-    const token = sessionStorage.getItem(kToken) ?? "";
     const size = { width, height, pixelRatio: devicePixelRatio };
-    const address = location.origin;
+    const known = this.parts.publication ? kNothingKept : keptByBrowser();
     port.postMessage(
-      { kind: "start", canvas: offscreen, ...size, address, user, token, ...this.parts, kept: keptTexts() },
+      { kind: "start", canvas: offscreen, ...size, address: location.origin, ...known, ...this.parts },
       [offscreen],
     );
   }
@@ -154,6 +156,7 @@ export class EngineLink {
   }
 
   private keep(key: string, text: string): void {
+    if (this.parts.publication) return;
     try {
       if (text === "") localStorage.removeItem(kKept + key);
       else localStorage.setItem(kKept + key, text);
@@ -209,9 +212,16 @@ export class EngineLink {
   }
 }
 
-function keptTexts(): Record<string, string> {
+/** A publication keeps nothing: its neighbours have the same address, and frames of other pages may not. */
+const kNothingKept = { user: "", token: "", kept: {} };
+
+function keptByBrowser(): typeof kNothingKept {
   const keys = Object.keys(localStorage).filter((key) => key.startsWith(kKept));
-  return Object.fromEntries(keys.map((key) => [key.slice(kKept.length), localStorage.getItem(key)!]));
+  return {
+    user: sessionStorage.getItem(kUser) ?? "",
+    token: sessionStorage.getItem(kToken) ?? "",
+    kept: Object.fromEntries(keys.map((key) => [key.slice(kKept.length), localStorage.getItem(key)!])),
+  };
 }
 
 function download(name: string, blob: Blob): void {

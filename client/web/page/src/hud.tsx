@@ -12,7 +12,7 @@ function chipOf(document: Document): [string, string] {
 }
 
 /** Returns what to say by the picture of a status as "40 % of 2.25 M triangles: loading"; nothing while it moves. */
-function simplified(status: string): string {
+export function simplified(status: string): string {
   const part = /^([\d.]+) % of (?!.*: moving$)/.exec(status)?.[1];
   return part ? `simplified, ${part === "100" ? "99" : part} %` : "";
 }

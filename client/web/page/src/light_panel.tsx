@@ -9,7 +9,7 @@ import { Slider, linear } from "./slider";
 import type { Light, Lighting } from "./snapshot";
 import { fixed } from "./words";
 
-const kLights: (readonly [Light, string, string])[] = [
+export const kLights: (readonly [Light, string, string])[] = [
   ["clay", "Clay", "A lamp, the sky and a weak second lamp."],
   ["radiance", "Radiance scaling", "Brightens what bends outwards and darkens what bends inwards."],
   ["cavity", "Cavity", "Bright ridges and dark valleys."],

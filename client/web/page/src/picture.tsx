@@ -42,7 +42,8 @@ export function Picture({ document }: { document: Document | null }) {
 
 /** The size that the picture has, or will have: a session that opens is framed for it. */
 function sizeOf(place: HTMLElement): { width: number; height: number } {
-  const box = place.clientWidth > 0 ? place.getBoundingClientRect() : expectedBox(place);
+  const shown = [place, place.parentElement!].find((one) => one.clientWidth > 0);
+  const box = shown?.getBoundingClientRect() ?? expectedBox(place);
   const pixels = (length: number) => Math.max(16, Math.round(length * devicePixelRatio));
   return { width: pixels(box.width), height: pixels(box.height) };
 }

@@ -1,5 +1,6 @@
 // The messages between the page and the engine's worker.
 
+import type { PublicationStart } from "../../engine/published/calls";
 import type { Snapshot } from "./snapshot";
 
 export type PointerWhat = "press" | "move" | "release" | "leave" | "wheel" | "pinch";
@@ -45,6 +46,8 @@ export interface StartMessage {
   rasterCore: string;
   /** Who draws. `best`: the card if there is one. */
   pictures: Pictures;
+  /** The files that are shown where there is no server; null: the page's server. */
+  publication: PublicationStart | null;
   /** What `keep` messages of earlier engines said. */
   kept: Record<string, string>;
 }

@@ -9,8 +9,8 @@ export function chosenTheme(): Theme {
   return kept === "dark" || kept === "light" ? kept : "system";
 }
 
-export function applyTheme(): void {
-  document.documentElement.dataset.theme = chosenTheme();
+export function applyTheme(theme = chosenTheme()): void {
+  document.documentElement.dataset.theme = theme;
 }
 
 export function chooseTheme(theme: Theme): void {

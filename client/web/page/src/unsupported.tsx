@@ -2,11 +2,11 @@
 
 import type { MissingPart } from "./support";
 
-export function Unsupported({ missing }: { missing: MissingPart[] }) {
+export function Unsupported({ missing, does }: { missing: MissingPart[]; does: "edit" | "show" }) {
   return (
     <main class="start">
       <h1>Burnish</h1>
-      <p role="alert">This browser cannot edit scans. It lacks:</p>
+      <p role="alert">{`This browser cannot ${does} scans. It lacks:`}</p>
       <ul>
         {missing.map((one) => (
           <li key={one.name}>
@@ -14,9 +14,11 @@ export function Unsupported({ missing }: { missing: MissingPart[] }) {
           </li>
         ))}
       </ul>
-      <p class="faint">
-        The programs burnish (a window) and burnish edit (a command) work with the same server, without a browser.
-      </p>
+      {does === "edit" && (
+        <p class="faint">
+          The programs burnish (a window) and burnish edit (a command) work with the same server, without a browser.
+        </p>
+      )}
     </main>
   );
 }

@@ -125,7 +125,7 @@ function Bookmarks({ document }: PanelProps) {
 }
 
 const kUps: UpAxis[] = ["x", "y", "z", "-x", "-y", "-z"];
-const kViews = ["Front", "Back", "Right", "Left", "Top", "Bottom"];
+export const kViews = ["Front", "Back", "Right", "Left", "Top", "Bottom"];
 
 export function CameraPanel({ document }: PanelProps) {
   const link = useLink();

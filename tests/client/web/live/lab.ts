@@ -92,12 +92,15 @@ export function difference(one: Pixels, other: Pixels): { mean: number; most: nu
 /** A visit of the page. */
 export class Visit {
   readonly console: string[] = [];
+  /** Addresses of all requests. */
+  readonly asked: string[] = [];
   private replayed = 0;
 
   constructor(readonly page: Page) {
     page.setDefaultTimeout(kPatienceMs);
     page.on("console", (message) => this.console.push(message.text()));
     page.on("pageerror", (error) => this.console.push(String(error)));
+    page.on("request", (request) => this.asked.push(request.url()));
   }
 
   /** Returns all text of the page, its messages too. */
@@ -245,7 +248,7 @@ export class Lab {
 
   path = (name: string) => join(this.folder, name);
   bytes = (name: string) => readFileSync(this.path(name));
-  address = () => `${this.page}/?pictures=${this.pictures}`;
+  address = (page = `${this.page}/`) => `${page}?pictures=${this.pictures}`;
 
   /** Runs the command line without a server. */
   run(...words: string[]): Promise<string> {
@@ -274,7 +277,13 @@ export class Lab {
   }
 
   /** Visits the page, and demands an empty console at the end. `wanted`: lines that the test expects there. */
-  async visit(
+  visit(test: (visit: Visit) => Promise<void>, options: BrowserContextOptions = {}, wanted: RegExp = /^$/): Promise<void> {
+    return this.visitAt(`${this.page}/`, test, options, wanted);
+  }
+
+  /** Visits another page likewise. */
+  async visitAt(
+    address: string,
     test: (visit: Visit) => Promise<void>,
     options: BrowserContextOptions = {},
     wanted: RegExp = /^$/,
@@ -282,7 +291,7 @@ export class Lab {
     const context = await this.browser!.newContext({ viewport: { width: 1024, height: 700 }, ...options });
     const visit = new Visit(await context.newPage());
     try {
-      await visit.page.goto(this.address());
+      await visit.page.goto(this.address(address));
       await test(visit);
       assert.deepEqual(visit.console.filter((line) => !wanted.test(line)), []);
     } catch (error) {

@@ -1,0 +1,148 @@
+// `burnish publish` against a real server: what it writes, and what it refuses.
+// tests/client/web/live shows the folder in a browser.
+
+#include <csignal>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "client/publish/publication.h"
+#include "tests/system/server_process.h"
+
+namespace burnish {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+/// A server with a session of an edited sphere.
+class Publish : public testing::Test {
+ protected:
+  void begin(int level = 4) {
+    const std::string sphere = write_sphere(server.folder, level);
+    must({"import", sphere, "--name", "ball"});
+    must({"open", "ball", "--session", "smooth"});
+    must({"edit", "smooth", "--beta", "0.2"});
+  }
+
+  std::string must(const std::vector<std::string>& words) {
+    const CommandOutcome done = server.burnish(words);
+    EXPECT_EQ(done.exit_code, 0) << words.front() << ": " << done.output;
+    return done.output;
+  }
+
+  std::string path(const std::string& name) const { return (server.folder / name).string(); }
+
+  /// Returns what lies around the target, hidden folders too, but for what the test wrote itself.
+  std::vector<std::string> remains() const {
+    std::vector<std::string> names;
+    for (const fs::directory_entry& entry : fs::directory_iterator(server.folder.path()))
+      if (entry.path().filename().string().find("out") != std::string::npos && entry.is_directory())
+        names.push_back(entry.path().filename().string());
+    return names;
+  }
+
+  nlohmann::json scan_of(const std::string& folder) const {
+    return nlohmann::json::parse(content_of(server.folder / (folder + "/scan.json")));
+  }
+
+  ServerProcess server;
+};
+
+TEST_F(Publish, WritesAFolderWhoseIndexAddsUpToItsParts) {
+  begin();
+  must({"publish", "smooth", path("out"), "--title", "A ball", "--credit", "CC BY 4.0"});
+  const nlohmann::json scan = scan_of("out");
+  EXPECT_EQ(scan["title"], "A ball");
+  EXPECT_EQ(scan["credit"], "CC BY 4.0");
+  EXPECT_EQ(scan["triangles"], 5120);
+  EXPECT_EQ(scan["record"]["session"], "smooth");
+  EXPECT_GT(scan["record"]["deviation"]["max"], 0);
+  const nlohmann::json& parts = scan["parts"];
+  const std::string index =
+      content_of(server.folder / ("out/" + parts["index"].get<std::string>()));
+  std::vector<uint32_t> lengths(index.size() / sizeof(uint32_t));
+  std::memcpy(lengths.data(), index.data(), index.size());
+  EXPECT_EQ(lengths.size(), parts["blocks"].get<size_t>() + 3 * parts["pages"].get<size_t>());
+  uint64_t sum = 0;
+  for (const uint32_t length : lengths) sum += length;
+  EXPECT_EQ(sum, fs::file_size(server.folder / ("out/" + parts["file"].get<std::string>())));
+  for (const char* file : {"index.html", "assets/page.js", "assets/core.wasm"})
+    EXPECT_TRUE(fs::exists(server.folder / (std::string("out/") + file))) << file;
+}
+
+TEST_F(Publish, OfTheSameSurfaceHasTheSameParts) {
+  begin();
+  must({"publish", "smooth", path("out1")});
+  must({"publish", "smooth", path("out2")});
+  EXPECT_EQ(scan_of("out1")["parts"], scan_of("out2")["parts"]);
+}
+
+TEST_F(Publish, NamesTheSessionsWhereThereIsNoSuch) {
+  begin(3);
+  const CommandOutcome refused = server.burnish({"publish", "smoth", path("out")});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.output, HasSubstr("the server has smooth"));
+  EXPECT_THAT(remains(), IsEmpty());
+}
+
+TEST_F(Publish, ReplacesAnEarlierPublicationAndNoOtherFolder) {
+  begin(3);
+  must({"publish", "smooth", path("out")});
+  const CommandOutcome refused = server.burnish({"publish", "smooth", path("out")});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.output, HasSubstr("is not empty; --replace"));
+  must({"publish", "smooth", path("out"), "--replace", "--title", "Anew"});
+  EXPECT_EQ(scan_of("out")["title"], "Anew");
+  fs::create_directory(server.folder / "other");
+  server.folder.write("other/thesis.txt", "years of work");
+  const CommandOutcome other = server.burnish({"publish", "smooth", path("other"), "--replace"});
+  EXPECT_EQ(other.exit_code, 1);
+  EXPECT_THAT(other.output, HasSubstr("it is no publication"));
+  EXPECT_EQ(content_of(server.folder / "other/thesis.txt"), "years of work");
+}
+
+TEST_F(Publish, RefusesATitleWithControlCharacters) {
+  const CommandOutcome refused =
+      server.burnish({"publish", "smooth", path("out"), "--title", "two\nlines"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.output, HasSubstr("the title has control characters"));
+}
+
+TEST_F(Publish, LeavesNothingWhereTheDiskIsFull) {
+  begin();
+  Process full({BURNISH_BINARY, "publish", "smooth", path("out"), "--server", server.address},
+               server.folder / "full.txt", {.file_bytes_max = 40'000, .address_bytes_max = {}});
+  EXPECT_EQ(full.wait(kPatience), 1);
+  EXPECT_THAT(full.output(), HasSubstr("resource exhausted"));
+  EXPECT_THAT(remains(), IsEmpty());
+}
+
+TEST_F(Publish, LeavesNothingWhenItIsCancelled) {
+  begin();
+  auto connection = Connection::open(server.address, kPatience);
+  ASSERT_TRUE(connection.is_ok());
+  const auto stop_at_pages = [](std::string_view phase, double) {
+    return phase != "publishing pages";
+  };
+  const PublishWish wish{.session = "smooth", .folder = path("out"), .title = {}, .credit = {}};
+  EXPECT_EQ(publish(*connection, wish, stop_at_pages).status().code(), StatusCode::kCancelled);
+  EXPECT_THAT(remains(), IsEmpty());
+}
+
+// A new session of so many triangles solves for seconds before its surface rests.
+TEST_F(Publish, LeavesNothingAfterCtrlC) {
+  begin(7);
+  const auto command = server.start_burnish({"publish", "smooth", path("out")});
+  ASSERT_TRUE(command->wait_for_output("waiting for the surface", kPatience));
+  command->signal(SIGINT);
+  EXPECT_EQ(command->wait(kPatience), 1);
+  EXPECT_THAT(command->output(), HasSubstr("cancelled"));
+  EXPECT_THAT(remains(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace burnish
