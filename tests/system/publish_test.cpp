@@ -40,7 +40,8 @@ class Publish : public testing::Test {
   std::vector<std::string> remains() const {
     std::vector<std::string> names;
     for (const fs::directory_entry& entry : fs::directory_iterator(server.folder.path()))
-      if (entry.path().filename().string().find("out") != std::string::npos && entry.is_directory())
+      if (entry.path().filename().string().find("site") != std::string::npos &&
+          entry.is_directory())
         names.push_back(entry.path().filename().string());
     return names;
   }
@@ -54,8 +55,8 @@ class Publish : public testing::Test {
 
 TEST_F(Publish, WritesAFolderWhoseIndexAddsUpToItsParts) {
   begin();
-  must({"publish", "smooth", path("out"), "--title", "A ball", "--credit", "CC BY 4.0"});
-  const nlohmann::json scan = scan_of("out");
+  must({"publish", "smooth", path("site"), "--title", "A ball", "--credit", "CC BY 4.0"});
+  const nlohmann::json scan = scan_of("site");
   EXPECT_EQ(scan["title"], "A ball");
   EXPECT_EQ(scan["credit"], "CC BY 4.0");
   EXPECT_EQ(scan["triangles"], 5120);
@@ -63,27 +64,27 @@ TEST_F(Publish, WritesAFolderWhoseIndexAddsUpToItsParts) {
   EXPECT_GT(scan["record"]["deviation"]["max"], 0);
   const nlohmann::json& parts = scan["parts"];
   const std::string index =
-      content_of(server.folder / ("out/" + parts["index"].get<std::string>()));
+      content_of(server.folder / ("site/" + parts["index"].get<std::string>()));
   std::vector<uint32_t> lengths(index.size() / sizeof(uint32_t));
   std::memcpy(lengths.data(), index.data(), index.size());
   EXPECT_EQ(lengths.size(), parts["blocks"].get<size_t>() + 3 * parts["pages"].get<size_t>());
   uint64_t sum = 0;
   for (const uint32_t length : lengths) sum += length;
-  EXPECT_EQ(sum, fs::file_size(server.folder / ("out/" + parts["file"].get<std::string>())));
+  EXPECT_EQ(sum, fs::file_size(server.folder / ("site/" + parts["file"].get<std::string>())));
   for (const char* file : {"index.html", "assets/page.js", "assets/core.wasm"})
-    EXPECT_TRUE(fs::exists(server.folder / (std::string("out/") + file))) << file;
+    EXPECT_TRUE(fs::exists(server.folder / (std::string("site/") + file))) << file;
 }
 
 TEST_F(Publish, OfTheSameSurfaceHasTheSameParts) {
   begin();
-  must({"publish", "smooth", path("out1")});
-  must({"publish", "smooth", path("out2")});
-  EXPECT_EQ(scan_of("out1")["parts"], scan_of("out2")["parts"]);
+  must({"publish", "smooth", path("site1")});
+  must({"publish", "smooth", path("site2")});
+  EXPECT_EQ(scan_of("site1")["parts"], scan_of("site2")["parts"]);
 }
 
 TEST_F(Publish, NamesTheSessionsWhereThereIsNoSuch) {
   begin(3);
-  const CommandOutcome refused = server.burnish({"publish", "smoth", path("out")});
+  const CommandOutcome refused = server.burnish({"publish", "smoth", path("site")});
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_THAT(refused.output, HasSubstr("the server has smooth"));
   EXPECT_THAT(remains(), IsEmpty());
@@ -91,12 +92,12 @@ TEST_F(Publish, NamesTheSessionsWhereThereIsNoSuch) {
 
 TEST_F(Publish, ReplacesAnEarlierPublicationAndNoOtherFolder) {
   begin(3);
-  must({"publish", "smooth", path("out")});
-  const CommandOutcome refused = server.burnish({"publish", "smooth", path("out")});
+  must({"publish", "smooth", path("site")});
+  const CommandOutcome refused = server.burnish({"publish", "smooth", path("site")});
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_THAT(refused.output, HasSubstr("is not empty; --replace"));
-  must({"publish", "smooth", path("out"), "--replace", "--title", "Anew"});
-  EXPECT_EQ(scan_of("out")["title"], "Anew");
+  must({"publish", "smooth", path("site"), "--replace", "--title", "Anew"});
+  EXPECT_EQ(scan_of("site")["title"], "Anew");
   fs::create_directory(server.folder / "other");
   server.folder.write("other/thesis.txt", "years of work");
   const CommandOutcome other = server.burnish({"publish", "smooth", path("other"), "--replace"});
@@ -107,17 +108,17 @@ TEST_F(Publish, ReplacesAnEarlierPublicationAndNoOtherFolder) {
 
 TEST_F(Publish, RefusesATitleWithControlCharacters) {
   const CommandOutcome refused =
-      server.burnish({"publish", "smooth", path("out"), "--title", "two\nlines"});
+      server.burnish({"publish", "smooth", path("site"), "--title", "two\nlines"});
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.output, HasSubstr("the title has control characters"));
 }
 
 TEST_F(Publish, LeavesNothingWhereTheDiskIsFull) {
   begin();
-  Process full({BURNISH_BINARY, "publish", "smooth", path("out"), "--server", server.address},
+  Process full({BURNISH_BINARY, "publish", "smooth", path("site"), "--server", server.address},
                server.folder / "full.txt", {.file_bytes_max = 40'000, .address_bytes_max = {}});
   EXPECT_EQ(full.wait(kPatience), 1);
-  EXPECT_THAT(full.output(), HasSubstr("resource exhausted"));
+  EXPECT_THAT(full.output(), HasSubstr("File too large"));
   EXPECT_THAT(remains(), IsEmpty());
 }
 
@@ -128,7 +129,7 @@ TEST_F(Publish, LeavesNothingWhenItIsCancelled) {
   const auto stop_at_pages = [](std::string_view phase, double) {
     return phase != "publishing pages";
   };
-  const PublishWish wish{.session = "smooth", .folder = path("out"), .title = {}, .credit = {}};
+  const PublishWish wish{.session = "smooth", .folder = path("site"), .title = {}, .credit = {}};
   EXPECT_EQ(publish(*connection, wish, stop_at_pages).status().code(), StatusCode::kCancelled);
   EXPECT_THAT(remains(), IsEmpty());
 }
@@ -136,7 +137,7 @@ TEST_F(Publish, LeavesNothingWhenItIsCancelled) {
 // A new session of so many triangles solves for seconds before its surface rests.
 TEST_F(Publish, LeavesNothingAfterCtrlC) {
   begin(7);
-  const auto command = server.start_burnish({"publish", "smooth", path("out")});
+  const auto command = server.start_burnish({"publish", "smooth", path("site")});
   ASSERT_TRUE(command->wait_for_output("waiting for the surface", kPatience));
   command->signal(SIGINT);
   EXPECT_EQ(command->wait(kPatience), 1);

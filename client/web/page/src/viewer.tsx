@@ -32,6 +32,7 @@ export function Viewer({ scan, link }: { scan: PublishedScan; link: EngineLink }
     if (isOpen) link.send(command.tool("look"));
   }, [isOpen, state.starts]);
   useViewerKeys(link, document);
+  const troubles = (state.snapshot?.messages ?? []).filter((one) => one.severity !== "info");
   if (state.stopped) return <Useless reason={state.stopped} />;
   return (
     <LinkContext.Provider value={link}>
@@ -43,7 +44,7 @@ export function Viewer({ scan, link }: { scan: PublishedScan; link: EngineLink }
       </main>
       {document && <Bar document={document} link={link} />}
       {scan.credit && <footer class="credit faint">{scan.credit}</footer>}
-      <Toasts messages={state.snapshot?.messages ?? []} activities={[]} />
+      <Toasts messages={troubles} activities={[]} />
     </LinkContext.Provider>
   );
 }
