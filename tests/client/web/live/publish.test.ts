@@ -27,6 +27,9 @@ const kSides: [side: string, line: string][] = [
   ["Original", "original on"],
 ];
 
+/** Leaves the page's picture, between its columns, as wide as a publication's usual one. */
+const kWide = { viewport: { width: 1542, height: 700 } };
+
 /** Returns the page's pictures of a session from above, by side. */
 async function picturesOfThePage(lab: Lab, session: string): Promise<Record<string, Pixels>> {
   const pictures: Record<string, Pixels> = {};
@@ -36,7 +39,7 @@ async function picturesOfThePage(lab: Lab, session: string): Promise<Record<stri
       await visit.replay(["view top", line, "wait"]);
       pictures[side] = await visit.picture();
     }
-  });
+  }, kWide);
   return pictures;
 }
 
