@@ -1,6 +1,7 @@
 #include "client/publish/page_parts.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <utility>
 
@@ -44,14 +45,16 @@ Result<std::shared_ptr<const Page>> decoded(const PagePart& part, const PageHead
   return std::make_shared<const Page>(std::move(page));
 }
 
-/// A page of this number that stands for its colours.
-std::shared_ptr<const Page> colours_of(const Page& page) {
-  Page colours = page;
-  colours.id |= kColourPages;
-  return std::make_shared<const Page>(std::move(colours));
+/// A page and what stands for its colours and gains, in the order of their tiles.
+constexpr std::array<PageId, 3> kTiles = {0, kColourPages, kGainPages};
+
+std::shared_ptr<const Page> numbered(const Page& page, PageId number) {
+  Page other = page;
+  other.id = number;
+  return std::make_shared<const Page>(std::move(other));
 }
 
-/// Returns the tile of a page, or of its colours; empty if the frame has none.
+/// Returns the tile of a page, of its colours or gains; empty if the frame has none.
 std::string tile_in(const SurfaceFrame& frame, const Page& page, PageId number) {
   const PageMove* const move = frame.find(number);
   return move ? published_tile(page, *move) : std::string();
@@ -64,15 +67,14 @@ Status write_pages(const std::vector<PagePart>& fetched, const PageHead& head,
   for (const PagePart& part : fetched) {
     ASSIGN_OR_RETURN(const auto page, decoded(part, head));
     pages.push_back(page);
-    shown.push_back(page);
-    if (head.has_colours) shown.push_back(colours_of(*page));
+    for (const PageId tile : kTiles)
+      if (tile == 0 || head.has_colours) shown.push_back(numbered(*page, page->id | tile));
   }
   ASSIGN_OR_RETURN(const auto frame, surface.frame_of(shown, progress));
   for (size_t i = 0; i < fetched.size(); ++i) {
-    const PageId number = fetched[i].number;
     RETURN_IF_ERROR(parts.add(page_event(fetched[i])));
-    RETURN_IF_ERROR(parts.add(tile_in(*frame, *pages[i], number)));
-    RETURN_IF_ERROR(parts.add(tile_in(*frame, *pages[i], number | kColourPages)));
+    for (const PageId tile : kTiles)
+      RETURN_IF_ERROR(parts.add(tile_in(*frame, *pages[i], fetched[i].number | tile)));
   }
   return Status::ok();
 }

@@ -17,9 +17,9 @@ class RestingSurface {
   static Result<RestingSurface> join(Connection& connection, const SessionInfo& session,
                                      const std::vector<uint8_t>& head, const Progress& progress);
 
-  /// Returns a frame that has these pages; one with kColourPages in its number stands for its
-  /// colours. Needs: pages that the last call did not have. Fails: failed_precondition (the surface
-  /// has moved), as the server says, cancelled.
+  /// Returns a frame that has these pages; one with kColourPages or kGainPages in its number
+  /// stands for its colours or gains. Needs: pages that the last call did not have. Fails:
+  /// failed_precondition (the surface has moved), as the server says, cancelled.
   Result<std::shared_ptr<const SurfaceFrame>> frame_of(
       const std::vector<std::shared_ptr<const Page>>& pages, const Progress& progress);
 

@@ -1,13 +1,17 @@
 // `burnish publish` against a real server: what it writes, and what it refuses.
 // tests/client/web/live shows the folder in a browser.
 
+#include <cmath>
 #include <csignal>
+#include <cstring>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "client/publish/publication.h"
+#include "common/generate/generate.h"
+#include "common/mesh/mesh_io.h"
 #include "tests/system/server_process.h"
 
 namespace burnish {
@@ -50,6 +54,15 @@ class Publish : public testing::Test {
     return nlohmann::json::parse(content_of(server.folder / (folder + "/scan.json")));
   }
 
+  /// Returns the lengths of the parts of a publication.
+  std::vector<uint32_t> lengths_in(const std::string& folder) const {
+    const auto name = scan_of(folder)["parts"]["index"].get<std::string>();
+    const std::string index = content_of(server.folder / (folder + "/" + name));
+    std::vector<uint32_t> lengths(index.size() / sizeof(uint32_t));
+    std::memcpy(lengths.data(), index.data(), index.size());
+    return lengths;
+  }
+
   ServerProcess server;
 };
 
@@ -63,16 +76,33 @@ TEST_F(Publish, WritesAFolderWhoseIndexAddsUpToItsParts) {
   EXPECT_EQ(scan["record"]["session"], "smooth");
   EXPECT_GT(scan["record"]["deviation"]["max"], 0);
   const nlohmann::json& parts = scan["parts"];
-  const std::string index =
-      content_of(server.folder / ("site/" + parts["index"].get<std::string>()));
-  std::vector<uint32_t> lengths(index.size() / sizeof(uint32_t));
-  std::memcpy(lengths.data(), index.data(), index.size());
-  EXPECT_EQ(lengths.size(), parts["blocks"].get<size_t>() + 3 * parts["pages"].get<size_t>());
+  const std::vector<uint32_t> lengths = lengths_in("site");
+  EXPECT_EQ(lengths.size(), parts["blocks"].get<size_t>() + 4 * parts["pages"].get<size_t>());
   uint64_t sum = 0;
   for (const uint32_t length : lengths) sum += length;
   EXPECT_EQ(sum, fs::file_size(server.folder / ("site/" + parts["file"].get<std::string>())));
   for (const char* file : {"index.html", "assets/page.js", "assets/core.wasm"})
     EXPECT_TRUE(fs::exists(server.folder / (std::string("site/") + file))) << file;
+}
+
+TEST_F(Publish, HasTheColoursAndTheGainsOfAPage) {
+  TriangleMesh mesh = make_icosphere(4, 1);
+  for (const Vec3d& vertex : mesh.vertices)
+    mesh.colours.push_back(
+        {static_cast<uint8_t>(128 + 100 * std::sin(40 * vertex.x())), 90, 60, 255});
+  const fs::path file = server.folder / "painted.ply";
+  ASSERT_TRUE(write_mesh(mesh, file).is_ok());
+  must({"import", file.string(), "--name", "painted"});
+  must({"open", "painted", "--session", "vivid"});
+  must({"edit", "vivid", "--texture-gain", "2"});
+  must({"publish", "vivid", path("site")});
+  const std::vector<uint32_t> lengths = lengths_in("site");
+  const size_t page = scan_of("site")["parts"]["blocks"];
+  ASSERT_GE(lengths.size(), page + 4);
+  EXPECT_GT(lengths[page], 0u);
+  EXPECT_EQ(lengths[page + 1], 0u) << "the surface has not moved";
+  EXPECT_GT(lengths[page + 2], 0u) << "its colours have changed";
+  EXPECT_GT(lengths[page + 3], 0u) << "and so have the gains of its texels";
 }
 
 TEST_F(Publish, OfTheSameSurfaceHasTheSameParts) {

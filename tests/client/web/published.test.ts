@@ -13,9 +13,9 @@ const kCounts = { file: "scan-1.parts", index: "scan-1.index", blocks: 1, pages:
 /** The key frame of docs/protocol.md, section 8: its page has five values, and this body. */
 const kTile = Uint8Array.of(5, 0, 3, 1, 4, 0, 2, 0xf4, 3, 0, 0, 0x80, ...new Uint8Array(15));
 
-/** The parts of a scan of three pages; the second has not moved, the third has one sheet. */
+/** The parts of a scan of three pages; the second has gains alone, the third has one sheet. */
 const kParts = [
-  "block", "page 0", kTile, "", "page 1", "", "", "page 2", kTile, "colours 2",
+  "block", "page 0", kTile, "", "", "page 1", "", "", kTile, "page 2", kTile, "colours 2", "gains 2",
   "sheet block", "charts 0", "0a", "0b", "charts 1", "1a", "1b", "charts 2", "2a", "",
 ].map((part) => (typeof part === "string" ? new TextEncoder().encode(part) : part));
 const kBytes = Uint8Array.from(kParts.flatMap((part) => [...part]));
@@ -44,14 +44,15 @@ test("PartsThatLieTogetherAreFetchedTogether", async () => {
   const parts = await Parts.open(kBase, kCounts);
   const found = await Promise.all(parts.pages([2, 0], never));
   assert.deepEqual(found.map(textOf), ["page 2", "page 0"]);
-  assert.deepEqual(await parts.tile(0, false), kTile);
-  assert.equal(textOf(await parts.tile(2, true)), "colours 2");
+  assert.deepEqual(await parts.tile(0, "surface"), kTile);
+  assert.equal(textOf(await parts.tile(2, "colours")), "colours 2");
+  assert.equal(textOf(await parts.tile(2, "gains")), "gains 2");
   assert.equal(ranges.length, 1);
 });
 
 test("APartWithoutBytesIsNotFetched", async () => {
   const parts = await Parts.open(kBase, kCounts);
-  assert.equal((await parts.tile(1, false)).length, 0);
+  assert.equal((await parts.tile(1, "surface")).length, 0);
   assert.deepEqual(ranges, []);
 });
 
@@ -74,7 +75,7 @@ test("APartThatIsCutShortIsAnError", async () => {
 });
 
 test("AnIndexOfAnotherPublicationIsRefused", async () => {
-  await assert.rejects(Parts.open(kBase, { ...kCounts, pages: 4 }), /has 20 parts, not 26/);
+  await assert.rejects(Parts.open(kBase, { ...kCounts, pages: 4 }), /has 23 parts, not 30/);
 });
 
 /** Returns the body of a frame whose blocks are not compressed. */
@@ -171,6 +172,17 @@ test("ShownPagesGetTheirTilesOnceTheClientGrantsACredit", async () => {
   const next = messagesOf(fieldsOf(messagesOf(fieldsOf(heard[2]!), 2)[0]!), 1)[0]!;
   assert.equal(new DataView(next.buffer, next.byteOffset).getBigUint64(16, true), 1n);
   assert.equal(bodyOf(next)[1], 0); // the reference has page 2
+});
+
+test("GainsOfAPageAreAPageOfTheirOwn", async () => {
+  const { calls, heard } = talk();
+  const edit = calls.open(kEdit);
+  const say = (kind: number, ...body: number[]) => calls.send(edit, bytesField(kind, Uint8Array.from(body)));
+  say(7, 8, 1, 18, 5, 0x81, 0x80, 0x80, 0x80, 0x0c); // the gains of page 1
+  say(2, 8, 1);
+  await until(() => heard.length === 1);
+  const frame = fieldsOf(messagesOf(fieldsOf(heard[0]!), 2)[0]!);
+  assert.deepEqual(bodyOf(messagesOf(frame, 1)[0]!), [...kTile.subarray(2)]);
 });
 
 test("AHeartbeatComesBackAsItIs", async () => {

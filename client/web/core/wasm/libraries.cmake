@@ -1,6 +1,7 @@
 # The libraries of Debian that have no build for WASI, from their sources.
 
-set(BURNISH_WEB_FLAGS -Oz -flto -fvisibility=hidden -fno-exceptions -fno-rtti -ffunction-sections -fdata-sections)
+set(BURNISH_WEB_FLAGS -Oz -flto -fvisibility=hidden -fno-exceptions -fno-rtti -ffunction-sections -fdata-sections
+  -fwhole-program-vtables -fvirtual-function-elimination)
 
 file(GLOB zstd_sources ${BURNISH_WEB_SOURCES}/libzstd/lib/common/*.c
                        ${BURNISH_WEB_SOURCES}/libzstd/lib/decompress/*.c)

@@ -2,6 +2,11 @@
 
 import type { PublishedScan } from "./scan";
 
+/** What the tiles of a page are of, in their order. */
+const kTiles = ["surface", "colours", "gains"] as const;
+export type Tile = (typeof kTiles)[number];
+const kPartsPerPage = 1 + kTiles.length;
+
 /** Parts with less than this between them are fetched together. */
 const kGapBytesMax = 4096;
 const kRangeBytesMax = 1 << 19;
@@ -39,7 +44,7 @@ export class Parts {
     if (!answer.ok) throw new Error(`${counts.index}: the web server answers ${answer.status}`);
     const lengths = new Uint32Array(await answer.arrayBuffer());
     const sheets = counts.sheets_per_page > 0 ? counts.blocks + counts.pages * (1 + counts.sheets_per_page) : 0;
-    const wanted = counts.blocks + 3 * counts.pages + sheets;
+    const wanted = counts.blocks + kPartsPerPage * counts.pages + sheets;
     if (lengths.length !== wanted) throw new Error(`${counts.index} has ${lengths.length} parts, not ${wanted}`);
     const places = new Float64Array(lengths.length + 1);
     lengths.forEach((length, part) => (places[part + 1] = places[part]! + length));
@@ -48,24 +53,25 @@ export class Parts {
 
   // The order of client/publish/page_parts.h.
   block = (number: number) => number;
-  page = (number: number) => this.counts.blocks + 3 * number;
+  page = (number: number) => this.counts.blocks + kPartsPerPage * number;
   sheetBlock = (number: number) => this.page(this.counts.pages) + number;
   charts = (page: number) => this.sheetBlock(this.counts.blocks) + page * (1 + this.counts.sheets_per_page);
   sheet = (page: number, halving: number) => this.charts(page) + 1 + halving;
 
   /** Returns pages, in their order. Their tiles come along. */
   pages(numbers: number[], signal: AbortSignal): Promise<Uint8Array>[] {
-    const wanted = numbers.flatMap((number) => [0, 1, 2].map((part) => this.page(number) + part));
+    const wanted = numbers.flatMap((number) => [...Array(kPartsPerPage).keys()].map((part) => this.page(number) + part));
     const fetched = this.read(wanted, signal);
-    return numbers.map((number, at) => {
-      for (const part of [1, 2]) this.keep(this.page(number) + part, fetched[3 * at + part]!);
-      return fetched[3 * at]!;
+    return numbers.map((_, at) => {
+      const first = kPartsPerPage * at;
+      for (let part = 1; part < kPartsPerPage; ++part) this.keep(wanted[first + part]!, fetched[first + part]!);
+      return fetched[first]!;
     });
   }
 
-  /** Returns the tile of a page, or of its colours. */
-  tile(page: number, isOfColours: boolean): Promise<Uint8Array> {
-    const part = this.page(page) + (isOfColours ? 2 : 1);
+  /** Returns a tile of a page. */
+  tile(page: number, tile: Tile): Promise<Uint8Array> {
+    const part = this.page(page) + 1 + kTiles.indexOf(tile);
     const kept = this.tiles.get(part);
     this.tiles.delete(part);
     return kept?.catch(() => this.readOne(part)) ?? this.readOne(part);

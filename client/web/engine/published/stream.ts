@@ -13,7 +13,9 @@ const kShowPages = 7;
 const kFrame = 2;
 const kServerHeartbeat = 9;
 const kCreditsMax = 8;
+// Numbers of pages plus these stand for their colours and gains (common/page_frames/shown_pages.h).
 const kColourPages = 2 ** 31;
+const kGainBit = 2 ** 30;
 
 /** A frame that was sent, and the pages that it has. */
 interface SentFrame {
@@ -90,8 +92,10 @@ export class PublishedStream {
     this.say(bytesField(kFrame, bytesField(1, bytes), fromBase64(this.scan.frame)));
   }
 
-  private tileOf = (page: number): Promise<Uint8Array> =>
-    this.parts.tile(page % kColourPages, page >= kColourPages);
+  private tileOf = (page: number): Promise<Uint8Array> => {
+    const isOfGains = page >= kColourPages + kGainBit;
+    return this.parts.tile(page % kGainBit, isOfGains ? "gains" : page >= kColourPages ? "colours" : "surface");
+  };
 }
 
 /** Returns the parts that FetchPages asks for: blocks, and then pages, in the order of the request. */
