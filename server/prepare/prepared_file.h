@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <filesystem>
 #include <span>
 
 #include "common/base/status.h"
@@ -107,6 +108,10 @@ Result<PreparedHeader> parse_prepared_header(std::span<const uint8_t> beginning,
                                              uint64_t file_bytes);
 
 PreparedSummary summary_of(const PreparedHeader& header);
+
+/// Reads the checksum of a prepared file's header, which depends on all its bytes. Fails: as
+/// read_prepared_summary().
+Result<uint64_t> read_prepared_checksum(const std::filesystem::path& path);
 
 /// Reads a whole file's bytes. The mesh's spans point into them, and its storage stays empty.
 /// Needs: bytes aligned to 64. Fails: data_loss that names the section and the fault.

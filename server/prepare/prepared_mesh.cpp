@@ -59,12 +59,22 @@ Result<std::shared_ptr<const PreparedMesh>> read_prepared_mesh(const std::filesy
   return std::make_shared<const PreparedMesh>(std::move(mesh).value());
 }
 
-Result<PreparedSummary> read_prepared_summary(const std::filesystem::path& path) {
+static Result<PreparedHeader> read_prepared_header(const std::filesystem::path& path) {
   ASSIGN_OR_RETURN(const FileContent head,
                    FileContent::read_beginning(path, sizeof(PreparedHeader)));
   const auto header = parse_prepared_header(head.bytes(), head.file_bytes());
   if (!header.is_ok()) return header.status().with_context(name_of(path));
-  return summary_of(*header);
+  return header;
+}
+
+Result<PreparedSummary> read_prepared_summary(const std::filesystem::path& path) {
+  ASSIGN_OR_RETURN(const PreparedHeader header, read_prepared_header(path));
+  return summary_of(header);
+}
+
+Result<uint64_t> read_prepared_checksum(const std::filesystem::path& path) {
+  ASSIGN_OR_RETURN(const PreparedHeader header, read_prepared_header(path));
+  return header.checksum;
 }
 
 }  // namespace burnish
