@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -17,6 +19,9 @@ namespace burnish {
 /// The data that all sessions of one prepared mesh share.
 struct SharedMesh : Multigrid {
   Quota::Share memory;
+  uint64_t fingerprint = 0;  ///< of the file that its hierarchy may be kept in
+  /// The file has it, or will, or cannot.
+  mutable std::atomic<bool> is_kept = false;
   LiveObject live{LiveKind::kMesh};
 };
 

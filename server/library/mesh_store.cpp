@@ -47,6 +47,10 @@ MeshStore::MeshStore(const DataFolder& folder, const MeshStoreOptions& options)
       uploads_("bytes of uploads under way", "limits.upload_bytes_per_user",
                options.upload_bytes_per_user) {}
 
+MeshStore::~MeshStore() {
+  is_ending_ = true;
+}
+
 Result<std::unique_ptr<MeshStore>> MeshStore::open(const DataFolder& folder,
                                                    const MeshStoreOptions& options) {
   std::unique_ptr<MeshStore> store(new MeshStore(folder, options));

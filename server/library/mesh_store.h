@@ -1,6 +1,8 @@
 #pragma once
 
+#include <atomic>
 #include <functional>
+#include <future>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -27,6 +29,7 @@
 #include "server/library/upload.h"
 #include "server/memory/quota.h"
 #include "server/prepare/prepared_mesh.h"
+#include "server/scheduling/executor.h"
 #include "server/scheduling/fair_mutex.h"
 
 namespace burnish {
@@ -53,6 +56,7 @@ class MeshStore {
   /// Reads the library. Needs: `folder` outlives the store. Fails: as errno says.
   static Result<std::unique_ptr<MeshStore>> open(const DataFolder& folder,
                                                  const MeshStoreOptions& options);
+  ~MeshStore();
 
   /// From now on shares the scans with other servers: gives them those that this server alone has.
   /// Needs: one call, before others. Fails: unavailable; as OriginalStore and ScanCatalogue say.
@@ -114,6 +118,13 @@ class MeshStore {
   /// or the disk has no room, or an allocation fails; not_found; cancelled. Then nothing is held.
   Result<std::shared_ptr<const SharedMesh>> open_mesh(const std::string& id, const PreparedKey& key,
                                                       const Progress& progress);
+
+  /// Writes the hierarchy of an open mesh beside its prepared file, unless it is there: the next
+  /// opening reads it. A thread of low priority does so while somebody else holds the mesh, and
+  /// nobody waits for it. If it cannot, it says why in the log. The future is ready when the work
+  /// is done, or needless.
+  std::future<void> keep_hierarchy(const std::string& id, const PreparedKey& key,
+                                   std::shared_ptr<const SharedMesh> mesh);
 
   /// Describes a scan's pages. Makes missing and damaged ones now.
   /// Fails: resource_exhausted when the memory or the disk has no room; not_found; cancelled.
@@ -204,6 +215,7 @@ class MeshStore {
   void take_info(const ScanInfo& scan);
   void drop_here(const std::string& id);
   std::filesystem::path prepared_path(const std::string& id, const PreparedKey& key) const;
+  std::filesystem::path hierarchy_path(const std::string& id, const PreparedKey& key) const;
   Result<ImportOutcome> import_new(Upload& upload, const std::string& id,
                                    const ImportHeader& header, const Progress& progress);
   Result<ImportOutcome> prepare_known(const std::string& id, const PreparedKey& key,
@@ -217,6 +229,14 @@ class MeshStore {
   Result<std::shared_ptr<SharedMesh>> read_with_hierarchy(const std::string& id,
                                                           const PreparedKey& key,
                                                           const Progress& progress);
+
+  Status find_hierarchy(const std::string& id, const PreparedKey& key, SharedMesh& mesh,
+                        const Progress& progress);
+  Status read_kept_hierarchy(const std::string& id, const PreparedKey& key, SharedMesh& mesh,
+                             const Progress& progress);
+  Status plan(const std::string& id, SharedMesh& mesh, const Progress& progress);
+  Status write_kept_hierarchy(const std::string& id, const PreparedKey& key,
+                              const std::shared_ptr<const SharedMesh>& mesh);
 
   std::filesystem::path pages_path(const std::string& id) const;
   Status make_pages(const std::string& id, const Progress& progress);
@@ -254,6 +274,8 @@ class MeshStore {
   FairMutex preparing_;  // one at a time: each uses all cores and much memory
   KnownProposals proposals_;
   FairMutex measuring_;  // likewise, beside what prepares
+  std::atomic<bool> is_ending_ = false;
+  Executor keeping_{1};  // last member: its thread ends before the others are destroyed
 };
 
 /// Returns the key with its depth chosen: 0 becomes the scan's default depth.

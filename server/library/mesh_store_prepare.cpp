@@ -11,11 +11,11 @@
 #include "server/library/scan_files.h"
 #include "server/library/scan_record.h"
 #include "server/memory/library_budget.h"
-#include "server/memory/memory_need.h"
 #include "server/memory/opening_need.h"
 #include "server/prepare/prepare.h"
+#include "server/prepare/prepared_file.h"
 #include "server/scheduling/cancellable_lock.h"
-#include "server/solver/tuning/plan_cycle.h"
+#include "server/solver/kept/hierarchy_file.h"
 
 namespace burnish {
 
@@ -86,7 +86,9 @@ Status MeshStore::make_room(const std::string& id, const PreparedKey& key) {
   for (const auto& [opened, path] : idle) {
     if (count < kPreparedPerScanMax) break;
     std::error_code error;
-    if (fs::remove(path, error)) --count;
+    if (!fs::remove(path, error)) continue;
+    fs::remove(hierarchy_path(id, parse_prepared_file_name(path.filename()).value()), error);
+    --count;
   }
   if (count < kPreparedPerScanMax) return Status::ok();
   return resource_exhausted("scan " + scan.name + " has " + std::to_string(count) +
@@ -117,6 +119,8 @@ Result<std::shared_ptr<SharedMesh>> MeshStore::read_charged(const std::string& i
   ASSIGN_OR_RETURN(mesh->prepared, read_prepared_mesh(path, place == PreparedPlace::kFile
                                                                 ? ScratchSpace(folder_.scans(), 0)
                                                                 : ScratchSpace()));
+  ASSIGN_OR_RETURN(const uint64_t checksum, read_prepared_checksum(path));
+  mesh->fingerprint = hierarchy_fingerprint(checksum);
   std::error_code ignored;  // a prepared file's time is its last opening
   fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
   return mesh;
@@ -137,8 +141,7 @@ Result<std::shared_ptr<SharedMesh>> MeshStore::read_with_hierarchy(const std::st
   }
   ASSIGN_OR_RETURN(auto mesh, std::move(read));
   RETURN_IF_ERROR(with_memory_for("the hierarchy of scan " + short_id(id), [&]() -> Status {
-    ASSIGN_OR_RETURN(mesh->hierarchy, make_hierarchy(*mesh->prepared, progress));
-    return Status::ok();
+    return find_hierarchy(id, key, *mesh, progress);
   }));
   return mesh;
 }
@@ -153,15 +156,7 @@ Result<std::shared_ptr<const SharedMesh>> MeshStore::open_mesh(const std::string
                    lock_or_cancel(*making, "waiting for another session of the scan", progress));
   if (auto shared = cache_.find({id, key})) return shared;
   ASSIGN_OR_RETURN(const auto mesh, read_with_hierarchy(id, key, progress));
-  mesh->plan = std::make_shared<CyclePlan>();
-  Quota::Share trial;  // a session for the trials
-  if (needs_trials(*mesh->hierarchy)) {
-    ASSIGN_OR_RETURN(trial, memory_.take(kServer, predict_session_bytes(*mesh)));
-  }
-  RETURN_IF_ERROR(with_memory_for("the cycle of scan " + short_id(id), [&]() -> Status {
-    ASSIGN_OR_RETURN(mesh->plan, plan_cycle(mesh->prepared, mesh->hierarchy, progress));
-    return Status::ok();
-  }));
+  if (!mesh->plan) RETURN_IF_ERROR(plan(id, *mesh, progress));
   // Dust has more than predicted: specks have corners at all depths.
   if (mesh->byte_count() > mesh->memory.amount())
     RETURN_IF_ERROR(mesh->memory.resize(mesh->byte_count()));

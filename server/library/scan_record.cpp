@@ -9,6 +9,7 @@
 #include "common/pages/page_format.h"
 #include "common/sheets/sheet_format.h"
 #include "server/prepare/prepared_mesh.h"
+#include "server/solver/kept/hierarchy_file.h"
 
 namespace burnish {
 
@@ -68,15 +69,20 @@ std::string original_file_name(MeshFormat format) {
   return "original." + std::string(mesh_format_name(format));
 }
 
-static std::string file_name_of_version(const PreparedKey& key, uint32_t version) {
+static std::string file_name_of_version(const PreparedKey& key, uint32_t version,
+                                        const std::string& kind) {
   char name[96];
-  std::snprintf(name, sizeof name, "depth%d-radius%.17g-format%u.prepared", key.depth,
-                key.curvature_radius, version);
-  return name;
+  std::snprintf(name, sizeof name, "depth%d-radius%.17g-format%u.", key.depth, key.curvature_radius,
+                version);
+  return name + kind;
 }
 
 std::string prepared_file_name(const PreparedKey& key) {
-  return file_name_of_version(key, kPreparedFormatVersion);
+  return file_name_of_version(key, kPreparedFormatVersion, "prepared");
+}
+
+std::string hierarchy_file_name(const PreparedKey& key) {
+  return file_name_of_version(key, kHierarchyFormatVersion, "hierarchy");
 }
 
 std::optional<PreparedKey> parse_prepared_file_name(const std::string& name) {
@@ -87,14 +93,22 @@ std::optional<PreparedKey> parse_prepared_file_name(const std::string& name) {
   return key;
 }
 
-std::optional<uint32_t> prepared_file_version(const std::string& name) {
+static std::optional<uint32_t> version_with_key(const std::string& name, const std::string& kind) {
   PreparedKey key;
   unsigned version = 0;
   if (std::sscanf(name.c_str(), "depth%d-radius%lf-format%u", &key.depth, &key.curvature_radius,
                   &version) != 3)
     return std::nullopt;
-  if (file_name_of_version(key, version) != name) return std::nullopt;
+  if (file_name_of_version(key, version, kind) != name) return std::nullopt;
   return version;
+}
+
+std::optional<uint32_t> prepared_file_version(const std::string& name) {
+  return version_with_key(name, "prepared");
+}
+
+std::optional<uint32_t> hierarchy_file_version(const std::string& name) {
+  return version_with_key(name, "hierarchy");
 }
 
 // E.g. "pages-format1.pages".
@@ -127,6 +141,13 @@ std::optional<uint32_t> sheets_file_version(const std::string& name) {
   return version_in(name, "sheets");
 }
 
+// Returns 0 for a missing file: a hierarchy is written some time after its prepared mesh, or never.
+static uint64_t bytes_of_hierarchy(const fs::path& folder, const PreparedKey& key) {
+  std::error_code missing;
+  const uint64_t bytes = fs::file_size(folder / hierarchy_file_name(key), missing);
+  return missing ? 0 : bytes;
+}
+
 static Result<std::vector<PreparedInfo>> list_prepared(const fs::path& folder) {
   std::vector<PreparedInfo> found;
   std::error_code error;
@@ -136,7 +157,7 @@ static Result<std::vector<PreparedInfo>> list_prepared(const fs::path& folder) {
     const auto key = parse_prepared_file_name(entry->path().filename().string());
     std::error_code gone;
     const uint64_t bytes = key ? entry->file_size(gone) : 0;
-    if (key && !gone) found.push_back({*key, bytes});
+    if (key && !gone) found.push_back({*key, bytes + bytes_of_hierarchy(folder, *key)});
   }
   if (error) return errno_status("cannot list " + folder.string(), error.value());
   std::sort(found.begin(), found.end(),

@@ -28,6 +28,12 @@ std::optional<PreparedKey> parse_prepared_file_name(const std::string& name);
 /// Returns the version in such a name; nothing for other names.
 std::optional<uint32_t> prepared_file_version(const std::string& name);
 
+/// Returns e.g. "depth7-radius0-format1.hierarchy", with the version of the hierarchy file.
+std::string hierarchy_file_name(const PreparedKey& key);
+
+/// Returns the version in such a name; nothing for other names.
+std::optional<uint32_t> hierarchy_file_version(const std::string& name);
+
 /// Returns "pages-format1.pages", with the version of the page file.
 std::string pages_file_name();
 

@@ -10,6 +10,8 @@
 #include "common/sheets/sheet_format.h"
 #include "server/library/scan_record.h"
 #include "server/prepare/prepared_file.h"
+#include "server/solver/kept/hierarchy_file.h"
+#include "server/solver/kept/hierarchy_format.h"
 
 namespace burnish {
 
@@ -79,6 +81,10 @@ std::error_code remove_of_scan(const fs::path& scan, RemovedFiles& removed) {
                                   {kPreparedMagic.begin(), kPreparedMagic.end()},
                                   kPreparedFormatVersion,
                                   prepared_file_version};
+  static const FileKind kHierarchies{".hierarchy",
+                                     {kHierarchyMagic.begin(), kHierarchyMagic.end()},
+                                     kHierarchyFormatVersion,
+                                     hierarchy_file_version};
   static const FileKind kPages{
       ".pages", {kPageMagic.begin(), kPageMagic.end()}, kPageFormatVersion, pages_file_version};
   static const FileKind kSheets{".sheets",
@@ -87,6 +93,7 @@ std::error_code remove_of_scan(const fs::path& scan, RemovedFiles& removed) {
                                 sheets_file_version};
   std::error_code failure = remove_from(scan, kPages, removed);
   if (!failure) failure = remove_from(scan, kSheets, removed);
+  if (!failure) failure = remove_from(scan / "prepared", kHierarchies, removed);
   return failure ? failure : remove_from(scan / "prepared", kPrepared, removed);
 }
 

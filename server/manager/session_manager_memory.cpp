@@ -48,6 +48,7 @@ Status SessionManager::bring_back(SessionEntry& entry, const Caller& caller,
   entry.kept.set_history_bytes(entry.session->edited().history().byte_count());
   ++entry.life;
   entry.in_memory = true;
+  store_.keep_hierarchy(entry.record.scan_id, entry.record.key, entry.mesh);
   return Status::ok();
 }
 

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "server/journal/sqlite_journal.h"
+#include "server/library/scan_record.h"
 #include "server/manager/cell_values.h"
 #include "tests/server/manager/test_library.h"
 
@@ -56,6 +57,13 @@ class SessionManagerTest : public testing::Test {
   std::string scan_id_;
   std::string user_;  // opens, edits and removes
 };
+
+TEST_F(SessionManagerTest, AnOpenSessionHasTheHierarchyOfItsScanKept) {
+  const auto kept = library_.folder->scans() / scan_id_ / "prepared" / hierarchy_file_name({5, 0});
+  EXPECT_FALSE(std::filesystem::exists(kept));
+  ASSERT_TRUE(open("one").is_ok());
+  while (!std::filesystem::exists(kept)) std::this_thread::yield();  // its thread has low priority
+}
 
 TEST_F(SessionManagerTest, OpeningTheSameNameAgainAttaches) {
   const auto first = open("one");
