@@ -170,6 +170,7 @@ constexpr FuzzedReader kReaders[] = {
     {"config", read_config},
     {"curve", read_curve},
     {"edit", read_edit},
+    {"hierarchy", read_fuzzed_hierarchy},
     {"live", read_live_messages},
     {"materials", read_materials},
     {"charts", read_fuzzed_charts},

@@ -49,6 +49,9 @@ bool read_sheet_block(std::span<const uint8_t> bytes);
 /// A sheet file of six pages, with the checksums of its head and blocks made right.
 bool read_sheet_file(std::span<const uint8_t> bytes);
 
+/// The hierarchy file of a sliver, with the checksums of its header and sections made right.
+bool read_fuzzed_hierarchy(std::span<const uint8_t> bytes);
+
 /// Frames by page for one decoder, and the changes of its shown pages. Each begins with a byte for
 /// its kind and two bytes of length, low first:
 ///   0  a frame, unchanged;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <span>
 #include <vector>
@@ -26,8 +28,9 @@ inline std::vector<SectionEntry> table_of_file(std::span<const uint8_t> file) {
 
 /// Corrects the checksums of the sections that lie within the file, and the header's.
 inline void seal_hierarchy(std::span<uint8_t> file) {
-  if (file.size() < sizeof(HierarchyHeader)) return;
+  if (file.size() < sizeof(HierarchyHeader) + sizeof(SectionEntry)) return;
   HierarchyHeader header = header_of_file(file);
+  if (header.section_count == 0) return;
   std::vector<SectionEntry> table = table_of_file(file);
   for (SectionEntry& section : table) {
     const uint64_t size = section.count * section.element_bytes;
