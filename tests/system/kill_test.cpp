@@ -167,7 +167,7 @@ class KilledServer {
   /// Returns a cell of the scan's only preparation.
   Vec3i a_cell() {
     for (const auto& file : fs::recursive_directory_iterator(server_.folder / "data" / "scans"))
-      if (file.path().parent_path().filename() == "prepared")
+      if (file.path().extension() == ".prepared")
         return morton_point(read_prepared_mesh(file.path()).value()->cells.front());
     return Vec3i::Zero();
   }
@@ -274,6 +274,7 @@ class KilledServer {
     for (const ScanInfo& scan : scans) {
       const fs::path prepared = server_.folder / "data" / "scans" / scan.id / "prepared";
       for (const auto& file : fs::directory_iterator(prepared)) {
+        if (file.path().extension() != ".prepared") continue;  // a hierarchy may be half written
         const auto mesh = read_prepared_mesh(file.path());
         EXPECT_TRUE(mesh.is_ok()) << mesh.status().message();
       }
