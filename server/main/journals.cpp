@@ -29,9 +29,10 @@ static Result<std::unique_ptr<Journal>> open_journal_in(const DataFolder& folder
   auto journal = SqliteJournal::open(folder.journal());
   if (journal.status().code() != StatusCode::kResourceExhausted) return journal;
   if (!folder.give_spare())
-    return resource_exhausted(journal.status().message() +
-                              ", and the spare room is used up: make room on the disk. What lies in "
-                              "scans/*/prepared can be made again");
+    return resource_exhausted(
+        journal.status().message() +
+        ", and the spare room is used up: make room on the disk. What lies in "
+        "scans/*/prepared can be made again");
   spdlog::warn("the disk of {} is full: {}; the server starts with its spare room. Delete scans",
                folder.path().string(), journal.status().message());
   return SqliteJournal::open(folder.journal());
