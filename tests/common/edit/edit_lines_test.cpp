@@ -29,6 +29,7 @@ TEST(EditLines, EachKindThatAScriptSaysComesBackFromItsLine) {
                                "palette 0:5 ff0000 hard",
                                "colours 0.5 20",
                                "edges edges 0.5 20 3 0.25",
+                               "texture 2 0.5",
                                "undo",
                                "redo",
                                "switch 3 on",

@@ -27,7 +27,8 @@ TEST(Settings, TheLastEditOfAKindCountsAndStrokesSetNothing) {
                            {{{0.5, 2}}},
                            {{{"letters", 0xd04040, TransferCurve(9)}}},
                            {.beta = 0.25},
-                           {.strength = 0.5}}));
+                           {.strength = 0.5},
+                           {2, 0.5}}));
   for (const Change& change : {Change(Stroke{}), Change(Protect{}), Change(Undo{}),
                                Change(SetCheckpoint{"a"}), Change(RestoreCheckpoint{"a"})})
     settings.take(change);
@@ -41,7 +42,8 @@ Settings changed_settings() {
           {{{0.5, 2}}},
           {{{"letters", 0xd04040, TransferCurve(9)}}},
           {.beta = 0.25},
-          {.strength = 0.5}};
+          {.strength = 0.5},
+          {2, 0.5}};
 }
 
 TEST(Settings, TheirChangesMakeThem) {

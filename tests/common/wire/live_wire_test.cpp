@@ -101,7 +101,8 @@ TEST(LiveWire, EveryMessageOfTheServerComesBackUnchanged) {
                                                 {{{0.5, 2}}},
                                                 {{{"letters", 0xd04040, curve()}}},
                                                 {7, 0.25},
-                                                {0.5, NormalFilterKind::kEdges, 40, 7, 0.25}}});
+                                                {0.5, NormalFilterKind::kEdges, 40, 7, 0.25},
+                                                {2, 0.5}}});
   expect_unchanged<ServerMessage>(people);
   expect_unchanged<ServerMessage>(Heartbeat{123456789});
   for (int code = 1; code <= static_cast<int>(FarewellCode::kNotOwner); ++code)
