@@ -30,13 +30,13 @@ const kSides: [side: string, line: string][] = [
 /** Leaves the page's picture, between its columns, as wide as a publication's usual one. */
 const kWide = { viewport: { width: 1542, height: 700 } };
 
-/** Returns the page's pictures of a session from above, by side. */
+/** Returns the page's pictures of a session from the front, by side. */
 async function picturesOfThePage(lab: Lab, session: string): Promise<Record<string, Pixels>> {
   const pictures: Record<string, Pixels> = {};
   await lab.visit(async (visit) => {
     await visit.join(session);
     for (const [side, line] of kSides) {
-      await visit.replay(["view top", line, "wait"]);
+      await visit.replay(["view front", line, "wait"]);
       pictures[side] = await visit.picture();
     }
   }, kWide);
@@ -51,7 +51,7 @@ async function openAsLargeAs(visit: Visit, { width, height }: Pixels): Promise<v
   await visit.page.setViewportSize({ width: size.width + width - now, height: size.height + height - high });
   await visit.page.reload();
   await visit.page.getByText("full detail").waitFor();
-  await button(visit, "Top").click();
+  await button(visit, "Front").click();
 }
 
 /** Demands that a publication comes to look as the page, and asks nobody else. */

@@ -42,7 +42,7 @@ for (const { name, modules, drawing, bytesMax, packedBytesMax } of kCores) {
     assert.deepEqual([...imported].sort(), [...modules, "host", "wasi_snapshot_preview1"]);
     const exported = WebAssembly.Module.exports(module).map((one) => one.name);
     for (const one of ["memory", "_initialize", "__stack_pointer", "core_alloc", "core_free", "core_hear", "core_tick",
-      "core_call_message", "core_call_ended", "core_image_decoded", "core_stack", "core_task"])
+      "core_call_message", "core_call_ended", "core_frame_checksum", "core_image_decoded", "core_stack", "core_task"])
       assert.ok(exported.includes(one), one);
   });
 
