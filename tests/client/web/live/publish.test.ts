@@ -79,11 +79,11 @@ async function looksAsThePage(lab: Lab, session: string): Promise<void> {
 test("APublicationLooksAsThePageByOpenGl", () => looksAsThePage(labs.card, "shown"));
 test("APublicationLooksAsThePageByTheProcessor", () => looksAsThePage(labs.processor, "shown"));
 
-test("APublicationShowsTexelsAndEditedColours", async () => {
+test("APublicationShowsTexelsEditedColoursAndGains", async () => {
   const lab = labs.processor;
   await importLettered(lab);
   await lab.ask("open", "lettered", "--session", "painted");
-  await lab.ask("edit", "painted", "--beta", "0.5", "--colour-beta", "0.2", "--colour-alpha", "20");
+  await lab.ask("edit", "painted", "--beta", "0.5", "--colour-beta", "0.2", "--colour-alpha", "20", "--texture-gain", "0.6");
   await looksAsThePage(lab, "painted");
 });
 
