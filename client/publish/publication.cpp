@@ -1,6 +1,7 @@
 #include "client/publish/publication.h"
 
 #include <algorithm>
+#include <fstream>
 #include <utility>
 
 #include "client/publish/new_folder.h"
@@ -69,13 +70,36 @@ Result<ProcessingRecord> record_of(Connection& connection, const Opening& openin
   return make_processing_record(connection, opening.state.session.id, made);
 }
 
-/// Returns the files of a folder that a publication does not have, or has in place of the scan.
+bool is_of_publication(const fs::path& entry) {
+  const std::string name = entry.filename().string();
+  return name == kScanFile || name == "index.html" || name == "assets" ||
+         (name.starts_with("scan-") && (name.ends_with(".parts") || name.ends_with(".index")));
+}
+
+/// Returns an entry of a folder that no publication has; empty: there is none.
+std::string foreign_entry(const fs::path& folder) {
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+    if (!is_of_publication(entry.path())) return entry.path().filename().string();
+  return {};
+}
+
+bool says_publication(const fs::path& file) {
+  std::string line(64, 0);
+  std::ifstream stream(file);
+  stream.read(line.data(), static_cast<std::streamsize>(line.size()));
+  return line.find(kPublicationKey) != std::string::npos;
+}
+
+/// Returns why a folder that is not empty is not replaced: nobody's files are lost by --replace.
 std::string objection(const fs::path& folder, bool replace) {
   const std::string name = folder.string();
   if (!replace) return name + " is not empty; --replace takes the place of a publication";
-  std::error_code error;
-  if (fs::exists(folder / kScanFile, error)) return {};
-  return name + " has no " + kScanFile + ", so it is no publication, and is not replaced";
+  if (!says_publication(folder / kScanFile))
+    return name + " has no " + kScanFile + " of a publication, so it is not replaced";
+  const std::string foreign = foreign_entry(folder);
+  if (foreign.empty()) return {};
+  return name + " has " + foreign + ", which no publication has, so it is not replaced";
 }
 
 Result<Publication> counted(const fs::path& folder) {

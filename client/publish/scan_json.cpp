@@ -44,7 +44,7 @@ static Json record_of(const ProcessingRecord& record) {
 std::string scan_json(const PublishedScan& scan) {
   const ScanInfo& info = scan.opening.scan.scan;
   const Json json = {
-      {"burnish_publication", kPublicationVersion},
+      {kPublicationKey, kPublicationVersion},
       {"title", scan.title},
       {"credit", scan.credit},
       {"scan", info.name},

@@ -23,6 +23,9 @@ struct PublishedScan {
   float largest_move = 0;  ///< of the whole surface, cells
 };
 
+/// The first key of scan.json, by which a publication is known.
+inline constexpr const char* kPublicationKey = "burnish_publication";
+
 /// Returns the scan as JSON. docs/formats.md describes the fields.
 std::string scan_json(const PublishedScan& scan);
 

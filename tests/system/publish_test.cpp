@@ -132,8 +132,14 @@ TEST_F(Publish, ReplacesAnEarlierPublicationAndNoOtherFolder) {
   server.folder.write("other/thesis.txt", "years of work");
   const CommandOutcome other = server.burnish({"publish", "smooth", path("other"), "--replace"});
   EXPECT_EQ(other.exit_code, 1);
-  EXPECT_THAT(other.output, HasSubstr("it is no publication"));
+  EXPECT_THAT(other.output, HasSubstr("has no scan.json of a publication"));
   EXPECT_EQ(content_of(server.folder / "other/thesis.txt"), "years of work");
+  server.folder.write("other/scan.json", "{\"scanner\": \"mine\"}");
+  EXPECT_EQ(server.burnish({"publish", "smooth", path("other"), "--replace"}).exit_code, 1);
+  server.folder.write("site/thesis.txt", "years of work");
+  const CommandOutcome mixed = server.burnish({"publish", "smooth", path("site"), "--replace"});
+  EXPECT_EQ(mixed.exit_code, 1);
+  EXPECT_THAT(mixed.output, HasSubstr("has thesis.txt, which no publication has"));
 }
 
 TEST_F(Publish, RefusesATitleWithControlCharacters) {
