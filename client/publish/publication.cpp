@@ -1,7 +1,7 @@
 #include "client/publish/publication.h"
 
 #include <algorithm>
-#include <fstream>
+#include <array>
 #include <utility>
 
 #include "client/publish/new_folder.h"
@@ -9,6 +9,7 @@
 #include "client/publish/scan_json.h"
 #include "client/publish/viewer_files.h"
 #include "common/base/atomic_file.h"
+#include "common/base/file_reader.h"
 #include "common/base/text.h"
 #include "common/pages/directory_codec.h"
 
@@ -72,7 +73,7 @@ Result<ProcessingRecord> record_of(Connection& connection, const Opening& openin
 
 bool is_of_publication(const fs::path& entry) {
   const std::string name = entry.filename().string();
-  return name == kScanFile || name == "index.html" || name == "assets" ||
+  return name == kScanFile || is_of_viewer(name) ||
          (name.starts_with("scan-") && (name.ends_with(".parts") || name.ends_with(".index")));
 }
 
@@ -84,11 +85,12 @@ std::string foreign_entry(const fs::path& folder) {
   return {};
 }
 
-bool says_publication(const fs::path& file) {
-  std::string line(64, 0);
-  std::ifstream stream(file);
-  stream.read(line.data(), static_cast<std::streamsize>(line.size()));
-  return line.find(kPublicationKey) != std::string::npos;
+bool says_publication(const fs::path& path) {
+  std::array<uint8_t, 64> begin = {};
+  const auto file = FileReader::open(path);
+  if (!file.is_ok() || file->file_bytes() < begin.size() || !file->read(0, begin).is_ok())
+    return false;
+  return std::string(begin.begin(), begin.end()).find(kPublicationKey) != std::string::npos;
 }
 
 /// Returns why a folder that is not empty is not replaced: nobody's files are lost by --replace.

@@ -1,5 +1,6 @@
 #include "client/publish/viewer_files.h"
 
+#include <algorithm>
 #include <span>
 #include <string_view>
 
@@ -21,6 +22,12 @@ static fs::path place_of(std::string_view name) {
 Status check_has_viewer() {
   if (!carried_viewer().empty()) return Status::ok();
   return unimplemented("this burnish was built without the page for browsers, and cannot publish");
+}
+
+bool is_of_viewer(const std::string& name) {
+  return std::ranges::any_of(carried_viewer(), [&](const CarriedFile& file) {
+    return *place_of(file.name).begin() == name;
+  });
 }
 
 Status write_viewer(const fs::path& folder) {

@@ -14,4 +14,7 @@ Status write_viewer(const std::filesystem::path& folder);
 /// Fails: unimplemented, as write_viewer().
 Status check_has_viewer();
 
+/// Returns true for names that write_viewer() puts into its folder.
+bool is_of_viewer(const std::string& name);
+
 }  // namespace burnish
