@@ -199,6 +199,8 @@ Status read_all(std::vector<Section>& sections) {
 Status read_arrays(const FileReader& file, std::span<const SectionEntry> table,
                    const Progress& progress, Hierarchy& hierarchy, CyclePlan& plan) {
   LoopProgress loop(progress, "opening", 0, 0);
+  // Asked here, because a small file may be read before the first thread has its turn.
+  if (!loop.goes_on(0)) return cancelled("opening was cancelled");
   std::vector<Section> sections;
   visit_arrays(hierarchy, plan, [&]<typename T>(const char* name, std::vector<T>& array) {
     const SectionEntry& entry = table[sections.size()];
