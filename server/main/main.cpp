@@ -161,6 +161,7 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
   ASSIGN_OR_RETURN(const std::string where_solved, say_where_solved(config.backend));
   ASSIGN_OR_RETURN(const TrustFiles files, open_trust_files(config));
   ASSIGN_OR_RETURN(const auto folder, DataFolder::open(config.data));
+  folder->keep_spare();
   if (config.device_memory_bytes_max > 0)
     set_cuda_memory_budget(static_cast<uint64_t>(config.device_memory_bytes_max));
   remove_stale_files(*folder);
