@@ -15,7 +15,7 @@ namespace burnish {
 // The messages of the protocol by which a server answers a client that looks, for readers that have
 // no server: a publication (client/publish).
 
-/// What a client learns when it opens a session.
+/// The answers to a client that opens a session.
 struct Opening {
   ScanDescription scan;
   SessionState state;

@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// What to publish, and where.
+/// A wish for a publication.
 struct PublishWish {
   std::string session;  ///< name or id
   std::filesystem::path folder;

@@ -25,7 +25,7 @@ class RestingSurface {
 
   const Welcome& welcome() const { return welcome_; }
   const FrameStats& stats() const { return stats_; }  ///< of the settled surface
-  /// Of the whole surface, cells. Needs: frame_of() has succeeded.
+  /// Returns that of the whole surface, cells. Needs: frame_of() has succeeded.
   float largest_move() const { return news_.frame->largest_move; }
 
  private:

@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// What scan.json of a publication says.
+/// The content of scan.json of a publication.
 struct PublishedScan {
   std::string title;
   std::string credit;

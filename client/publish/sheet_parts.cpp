@@ -13,7 +13,7 @@ namespace {
 constexpr const char* kSheetsPhase = "publishing textures";
 constexpr uint32_t kPagesPerFetch = 4;  // with their charts and sheets within all limits of a fetch
 
-/// What the server has sent for a wish.
+/// The server's answer to a wish.
 struct FetchedSheets {
   std::vector<PagePart> blocks, charts;
   std::vector<SheetPart> sheets;

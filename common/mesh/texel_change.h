@@ -7,8 +7,8 @@ namespace burnish {
 /// The gamma that renderers take colours of scans for (kGamma of client/scene/shade_constants.h).
 inline constexpr double kShownGamma = 2.2;
 
-/// What an edit does to the texels at a vertex: a texel of light t shows gain · t + light. Both are
-/// linear between the vertices of a triangle.
+/// The effect of an edit on the texels at a vertex: a texel of light t shows gain · t + light. Both
+/// are linear between the vertices of a triangle.
 struct TexelChange {
   float gain = 1;
   Vec3f light = Vec3f::Zero();

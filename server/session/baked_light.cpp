@@ -16,7 +16,8 @@ using Terms = Eigen::Matrix<double, kTerms, 1>;
 
 // Darker colours count as so dark: their logarithm says little about light.
 constexpr float kDarkest = 1 / 512.F;
-// Of a term's mean square, which is below 1. A flat scan has one normal, and terms that are equal.
+// A part of a term's mean square, which is below 1. A flat scan has one normal, and terms that are
+// equal.
 constexpr double kStiffness = 1e-2;
 // So many vertices tell as much as all of a large scan.
 constexpr size_t kVerticesMax = size_t{1} << 18;

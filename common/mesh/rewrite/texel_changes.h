@@ -20,10 +20,9 @@ inline constexpr uint32_t kGutterTexels = 4;
 
 /// Changes the texels of a picture as renderers show edited colours: in linear light, a texel times
 /// a gain plus a change, both between its triangle's corners (client/gl/texel_shader.cpp). Where
-/// several triangles
-/// show a texel it gets the mean of their changes. Beyond triangles the change goes on as the mean
-/// of what is around. Works in bands of rows, so a picture of any height takes no more memory. The
-/// same texels for any number of threads and any bands.
+/// several triangles show a texel it gets the mean of their changes. Beyond triangles the change
+/// goes on as the mean of what is around. Works in bands of rows, so a picture of any height takes
+/// no more memory. The same texels for any number of threads and any bands.
 class TexelChanges {
  public:
   /// `triangles`: all that show the picture. Needs: what it refers to outlives it.
