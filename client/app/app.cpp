@@ -118,7 +118,7 @@ bool App::may_draw() {
 
 // A session is named once its own surface is on the screen.
 std::string App::title() const {
-  if (const RawScan* const raw = workspace_->raw()) return raw->file.filename().string();
+  if (const RawScan* const raw = workspace_->raw()) return raw->name;
   const Document* const document = workspace_->document();
   if (!document) return {};
   const std::string scan = document->scan().scan.name;

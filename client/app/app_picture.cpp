@@ -94,11 +94,8 @@ bool App::is_surface_at_rest() const {
 
 // The raw scan's picture stays until that of its session is as fine, or the user turns it.
 bool App::keeps_raw_picture() const {
-  const Document* const document = workspace_->document();
-  if (!document || !shown_.is_raw || document->is_picture_settled()) return false;
-  Camera camera = workspace_->viewport.camera;
-  camera.scene_radius = shown_.camera.scene_radius;
-  return camera == shown_.camera && picture_.size == shown_.size;
+  return shown_.is_raw && picture_.size == shown_.size &&
+         workspace_->keeps_raw_picture(shown_.camera);
 }
 
 // Says which surface is the original one, and draws the line between both.

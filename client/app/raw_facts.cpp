@@ -8,6 +8,9 @@
 
 namespace burnish {
 
+static constexpr const char* kMovesText =
+    "Drag turns it, with Shift or the right button moves it, the wheel zooms.";
+
 static void draw_depth_choice(Workspace& workspace) {
   const MeshStatistics& scan = workspace.raw()->statistics;
   const auto choices = depth_choices(scan, "", workspace.server_memory_bytes(), 0);
@@ -24,19 +27,29 @@ static void draw_depth_choice(Workspace& workspace) {
   faint_text("%s", edges_text(scan, "", chosen).c_str());
 }
 
+static void draw_preparing(Workspace& workspace) {
+  ImGui::TextUnformatted("The scan is being prepared. The tools appear here when it is ready.");
+  faint_text("%s", kMovesText);
+  ImGui::Dummy({0, em(0.6f)});
+  draw_depth_choice(workspace);
+}
+
+static void draw_opening() {
+  ImGui::TextUnformatted("The session is being opened. The tools appear here when it is ready.");
+  faint_text("The picture is a coarse one of the scan, without its edits.");
+  faint_text("%s", kMovesText);
+}
+
 void draw_raw_facts(Workspace& workspace) {
   const RawScan& scan = *workspace.raw();
   begin_place_group("Raw");
-  text_with_ellipsis(scan.file.filename().string(), ImGui::GetContentRegionAvail().x);
+  text_with_ellipsis(scan.name, ImGui::GetContentRegionAvail().x);
   faint_text("%s vertices, %s triangles", counted(scan.vertices).c_str(),
              counted(scan.triangles).c_str());
   faint_text("%s", megabytes(scan.size_bytes).c_str());
   ImGui::Dummy({0, em(0.6f)});
   ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted("The scan is being prepared. The tools appear here when it is ready.");
-  faint_text("Drag turns it, with Shift or the right button moves it, the wheel zooms.");
-  ImGui::Dummy({0, em(0.6f)});
-  draw_depth_choice(workspace);
+  scan.file.empty() ? draw_opening() : draw_preparing(workspace);
   ImGui::PopTextWrapPos();
 }
 

@@ -51,7 +51,7 @@ void add_letters(const Workspace& workspace, Letters& letters) {
   for (const Message& message : workspace.log.messages()) letters.add(message.text);
   for (const auto& activity : workspace.activities()) letters.add(activity->title());
   letters.add(workspace.preferences.user);
-  if (workspace.raw()) letters.add(workspace.raw()->file.native());
+  if (workspace.raw()) letters.add(workspace.raw()->name);
   if (workspace.document()) add_document(*workspace.document(), letters);
 }
 

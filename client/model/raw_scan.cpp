@@ -1,38 +1,58 @@
 #include "client/model/raw_scan.h"
 
-#include <future>
 #include <utility>
 
+#include "client/connection/connection.h"
+#include "client/model/recent_sessions.h"
 #include "client/scene/raw_pages.h"
-#include "common/mesh/mesh_io.h"
+#include "client/surface/page_desk.h"
+#include "common/pages/directory_codec.h"
 
 namespace burnish {
 
-// Memory that reading may take: that of a file of 1 GB, and of a smaller one if it is packed.
-static constexpr uint64_t kRawReadingBytesMax = 12'000'000'000;
-
-bool can_be_raw(const std::filesystem::path& file) {
-  const auto format = mesh_format_of_path(file);
-  if (!format.is_ok()) return false;
-  const auto bytes = reading_bytes_max(file, *format);
-  return bytes.is_ok() && *bytes <= kRawReadingBytesMax;
+/// Returns the pages of the finest level that one request brings: half a megabyte.
+static PageRange coarse_level(const PageHead& head) {
+  int level = head.level_count() - 1;
+  while (level > 0 && head.level_pages[size_t(level) - 1] <= kPagePartsPerFetchMax) --level;
+  return {head.level_begin(level), head.level_begin(level + 1)};
 }
 
-Result<RawScan> read_raw_scan(const std::filesystem::path& file, uint64_t triangles_max) {
-  ASSIGN_OR_RETURN(const TriangleMesh mesh, read_mesh(file));
-  std::error_code ignored;
-  RawScan scan{.file = file,
-               .size_bytes = std::filesystem::file_size(file, ignored),
-               .vertices = mesh.vertices.size(),
-               .triangles = mesh.triangles.size(),
-               .has_colours = mesh.has_colours()};
-  auto statistics = std::async(std::launch::async, [&mesh] { return compute_statistics(mesh); });
-  RawPages raw = make_raw_pages(mesh, triangles_max);
-  scan.statistics = statistics.get();
-  scan.box = raw.box;
-  scan.pages = std::move(raw.pages);
-  scan.space = raw.space;
-  return scan;
+static RawScan raw_scan_of(const ScanInfo& scan, const PageHead& head) {
+  RawScan raw{.name = scan.name,
+              .size_bytes = bytes_on_disk(scan),
+              .vertices = scan.statistics.vertices,
+              .triangles = scan.statistics.triangles,
+              .has_colours = head.has_colours,
+              .statistics = scan.statistics};
+  raw.box = {scan.statistics.box_min, scan.statistics.box_max};
+  raw.space = make_page_space(head.grid, scan.default_depth);
+  return raw;
+}
+
+Result<RawScan> fetch_raw_scan(Connection& connection, const ScanInfo& scan,
+                               const std::function<bool()>& is_wanted) {
+  const auto goes_on = [&](std::string_view, double) { return is_wanted(); };
+  ASSIGN_OR_RETURN(const PagesDescription described, connection.describe_pages(scan.id, goes_on));
+  ASSIGN_OR_RETURN(const PageHead head, decode_head(described.head));
+  if (!is_wanted()) return cancelled("nobody waits for the pages any more");
+  const PageRange level = coarse_level(head);
+  PagesWish wish{.scan = scan.id};
+  for (PageId page = level.begin; page < level.end; ++page) wish.pages.push_back(page);
+  RawScan raw = raw_scan_of(scan, head);
+  Status damage = Status::ok();
+  const auto take_page = [&](PagePart part) {
+    DecodedPage page = decode_in_scan({part.number, std::move(part.bytes)}, head);
+    damage = page.page.status();
+    raw.pages.push_back(std::move(page.mesh));
+    return damage.is_ok() && is_wanted();
+  };
+  const Status fetched =
+      connection.fetch_pages(wish, {.block = [](PagePart) { return true; }, .page = take_page});
+  RETURN_IF_ERROR(damage);
+  RETURN_IF_ERROR(fetched);
+  if (raw.pages.size() == wish.pages.size()) return raw;
+  return data_loss("server " + connection.server() + " sent " + std::to_string(raw.pages.size()) +
+                   " of " + std::to_string(wish.pages.size()) + " pages");
 }
 
 Status put_into(PageRenderer& renderer, RawScan& scan) {
@@ -45,6 +65,12 @@ DrawStyle style_of(const RawScan& scan) {
   DrawStyle style;
   if (scan.has_colours) style.colouring = Colouring::kScan;
   return style;
+}
+
+uint64_t drawn_triangles(const RawScan& scan) {
+  uint64_t triangles = 0;
+  for (const PatchRange& patch : scan.patches) triangles += patch.count;
+  return triangles;
 }
 
 }  // namespace burnish

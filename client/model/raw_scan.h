@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -12,12 +14,17 @@
 #include "client/scene/page_space.h"
 #include "common/base/status.h"
 #include "common/mesh/statistics.h"
+#include "common/service/scan_info.h"
 
 namespace burnish {
 
-/// A file's own surface, which is shown until its session is there.
+class Connection;
+
+/// The surface of a scan without a session, which is shown until its session is there: a file's
+/// own, or a coarse one of a server's scan.
 struct RawScan {
-  std::filesystem::path file;
+  std::string name;            ///< as users know it
+  std::filesystem::path file;  ///< empty: the scan is a server's
   uint64_t size_bytes = 0;
   uint64_t vertices = 0;
   uint64_t triangles = 0;
@@ -37,10 +44,19 @@ bool can_be_raw(const std::filesystem::path& file);
 /// Fails: as read_mesh() does.
 Result<RawScan> read_raw_scan(const std::filesystem::path& file, uint64_t triangles_max);
 
+/// Fetches a coarse surface of a prepared scan: a level of its pages that one request brings.
+/// `is_wanted` is asked between pages. Fails: as the server says; data_loss; cancelled if it is not
+/// wanted any more.
+Result<RawScan> fetch_raw_scan(Connection& connection, const ScanInfo& scan,
+                               const std::function<bool()>& is_wanted);
+
 /// Moves the pages into an empty renderer. Fails: as the renderer does.
 Status put_into(PageRenderer& renderer, RawScan& scan);
 
 /// Returns the style of a raw scan: its own colours, else clay.
 DrawStyle style_of(const RawScan& scan);
+
+/// Returns how many triangles its pictures have. Needs: put_into().
+uint64_t drawn_triangles(const RawScan& scan);
 
 }  // namespace burnish

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -14,6 +15,7 @@
 #include "client/model/private_server.h"
 #include "client/model/raw_scan.h"
 #include "client/model/tasks.h"
+#include "client/model/view_state.h"
 #include "client/model/viewport.h"
 
 namespace burnish {
@@ -49,11 +51,21 @@ enum class Opening {
   kAnew,  ///< a new session
 };
 
+/// A session that opens on a prepared scan.
+struct Prepared {
+  SessionWish wish;
+  ScanInfo scan;
+  std::atomic<bool> is_open{false};
+};
+
 /// Everything that the window shows and a script can do, without the drawing. No call waits for the
 /// network; update() handles the results, once per picture, and in between without `draws`. Used
 /// from one thread.
 class Workspace {
  public:
+  /// Chooses a session on a thread of its own.
+  using Choice = std::function<Result<SessionWish>(Connection&)>;
+
   Workspace(PageRenderer& renderer, Preferences preferences, WorkspaceOptions options);
 
   Preferences preferences;
@@ -100,11 +112,14 @@ class Workspace {
   // The open session; null on the start page.
   Document* document() { return document_.get(); }
   const Document* document() const { return document_.get(); }
-  /// Returns the file's surface that is shown until its session is there; null: none.
+  /// Returns the surface that is shown until its session is there; null: none.
   const RawScan* raw() const { return raw_ ? &*raw_ : nullptr; }
+  /// Returns whether the last picture of the raw scan stays, though its session is there: that of
+  /// the session is not as fine yet. `shown`: the camera of the last picture.
+  bool keeps_raw_picture(const Camera& shown) const;
   /// Returns whether there is a surface to look at.
   bool has_picture() const { return document_ || raw_; }
-  /// Opens the raw scan at this depth. Begins again if it is being prepared at another one.
+  /// Opens the raw scan of a file at this depth. Begins again if it is being prepared at another.
   void choose_depth(int depth);
   /// Returns the depth that was chosen for the raw scan; 0: none.
   int chosen_depth() const { return raw_depth_; }
@@ -148,8 +163,6 @@ class Workspace {
   void start_activity(const std::string& title, Step step);
   void start_activity(const std::shared_ptr<Activity>& activity, Step step);
   void take_connection(Result<Connection> connection);
-  /// Chooses a session on a thread of its own.
-  using Choice = std::function<Result<SessionWish>(Connection&)>;
   /// Opens a session on a thread of its own.
   using Opener =
       std::function<Result<OpenedDocument>(const std::shared_ptr<Connection>&, const Progress&)>;
@@ -157,6 +170,14 @@ class Workspace {
   void open_chosen(Choice choice) { open_chosen(std::move(choice), opening_activity()); }
   void open_chosen(Choice choice, const std::shared_ptr<Activity>& activity);
   void open_by(Opener opener, const std::shared_ptr<Activity>& activity);
+  void open_prepared(const std::shared_ptr<Prepared>& prepared,
+                     const std::shared_ptr<Activity>& activity);
+  bool begins_opening();
+  void run_opener(Opener opener, const std::shared_ptr<Activity>& activity);
+  void take_opened(const std::shared_ptr<Activity>& activity, Result<OpenedDocument>& opened);
+  void fail_opening(const std::shared_ptr<Activity>& activity, const Status& why);
+  void look_early(const std::shared_ptr<const Prepared>& prepared);
+  void take_early(const std::string& session, Result<RawScan>& early);
   static std::shared_ptr<Activity> opening_activity();
   void open_scan(const ScanInfo& scan, Opening opening, int depth,
                  const std::shared_ptr<Activity>& activity);
@@ -166,7 +187,7 @@ class Workspace {
   void take_raw(const std::filesystem::path& file, Opening opening, Result<RawScan> read);
   void open_raw();
   bool begins_again();
-  void delete_if_new(const Result<OpenedDocument>& opened);
+  void delete_if_new(const OpenedDocument& opened);
   void close_raw(const std::filesystem::path& file);
   void forget_raw();
   /// Returns whether a file that was imported opens: no other surface is shown.
@@ -176,6 +197,8 @@ class Workspace {
   void show(OpenedDocument opened);
   void remember_document();
   void leave_document();
+  std::optional<ViewState> kept_view(const std::string& session) const;
+  void see_as_kept(const std::string& session);
   void restore_view(bool keeps_camera);
   void save_view();
   bool need_connection(const std::string& what);
@@ -197,6 +220,7 @@ class Workspace {
   bool is_drawn_ = false;           // the renderer's picture is that of the document
   std::filesystem::path raw_file_;  // the file that is read or shown raw; empty: none
   std::optional<RawScan> raw_;
+  uint64_t raw_triangles_ = 0;  // of the raw scan that the document took over; 0: of none
   Opening raw_opening_ = Opening::kGoOn;
   int raw_depth_ = 0;                   // 0: the default, or that of the session that goes on
   std::shared_ptr<Activity> raw_work_;  // imports and opens the raw scan
@@ -217,9 +241,11 @@ std::string with_port(const std::string& server);
 /// Returns "3 edits are not saved", or "1 edit is not saved".
 std::string unsaved_text(size_t edits);
 
-/// Fetches all data of a document. Fails: as the server says; cancelled.
+/// Opens a session on a prepared scan, and fetches all data of a document. Sets `is_open` as soon
+/// as the session is. Fails: as the server says; cancelled.
 Result<OpenedDocument> open_document(std::shared_ptr<Connection> connection,
-                                     const SessionWish& wish, const Progress& progress);
+                                     const SessionWish& wish, const Progress& progress,
+                                     std::atomic<bool>* is_open = nullptr);
 
 /// Opens a fork of a session at another depth. Fails: as open_document().
 Result<OpenedDocument> open_at_depth(std::shared_ptr<Connection> connection,

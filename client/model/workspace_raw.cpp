@@ -49,7 +49,7 @@ void Workspace::open_raw() {
 
 // The server has one session to prepare at a time: the running one ends first.
 void Workspace::choose_depth(int depth) {
-  if (!raw_ || std::exchange(raw_depth_, depth) == depth) return;
+  if (raw_file_.empty() || !raw_ || std::exchange(raw_depth_, depth) == depth) return;
   raw_begins_again_ = true;
   raw_work_->cancel();
 }
@@ -59,6 +59,32 @@ bool Workspace::begins_again() {
   if (!raw_ || !std::exchange(raw_begins_again_, false)) return false;
   open_raw();
   return true;
+}
+
+void Workspace::look_early(const std::shared_ptr<const Prepared>& prepared) {
+  tasks_.start([this, connection = connection_,
+                prepared](const StopToken& stop) -> Tasks::Completion {
+    const auto early = std::make_shared<Result<RawScan>>(fetch_raw_scan(
+        *connection, prepared->scan, [&] { return !prepared->is_open && !stop.stop_requested(); }));
+    return [this, prepared, early] { take_early(prepared->wish.name, *early); };
+  });
+}
+
+// A failure of the server is told by the opening.
+void Workspace::take_early(const std::string& session, Result<RawScan>& early) {
+  if (!opening_ || has_picture() || !early.is_ok() || !put_into(renderer_, *early).is_ok()) return;
+  raw_.emplace(std::move(*early));
+  ++pictures_begun_;
+  viewport.begin(raw_->box);
+  for (const RecentSession& recent : preferences.recent)
+    if (recent.server == recent_server() && recent.session == session) see_as_kept(recent.id);
+}
+
+bool Workspace::keeps_raw_picture(const Camera& shown) const {
+  if (!document_ || document_->is_picture_settled()) return false;
+  Camera camera = viewport.camera;
+  camera.scene_radius = shown.scene_radius;
+  return camera == shown && document_->surface().status().triangles_drawn < raw_triangles_;
 }
 
 uint64_t Workspace::server_memory_bytes() const {

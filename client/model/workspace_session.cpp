@@ -17,14 +17,37 @@ std::shared_ptr<Activity> Workspace::opening_activity() {
   return std::make_shared<Activity>("Opening");
 }
 
+// The scan is prepared before its session opens, so that users see the preparation and can cancel.
+static Status prepare(Connection& connection, const Workspace::Choice& choice, Prepared& prepared,
+                      const Progress& progress) {
+  ASSIGN_OR_RETURN(prepared.wish, choice(connection));
+  ASSIGN_OR_RETURN(prepared.scan,
+                   connection.prepare_scan(prepared.wish.scan, prepared.wish.key, progress));
+  return Status::ok();
+}
+
 void Workspace::open_chosen(Choice choice, const std::shared_ptr<Activity>& activity) {
-  open_by(
-      [choice = std::move(choice)](const std::shared_ptr<Connection>& connection,
-                                   const Progress& progress) -> Result<OpenedDocument> {
-        ASSIGN_OR_RETURN(const SessionWish wish, choice(*connection));
-        return open_document(connection, wish, progress);
+  if (!begins_opening()) return;
+  start_activity(activity, [this, activity, connection = connection_,
+                            choice = std::move(choice)](const Progress& progress) {
+    connection->bring_back(progress);
+    const auto prepared = std::make_shared<Prepared>();
+    const Status done = prepare(*connection, choice, *prepared, progress);
+    return [this, activity, prepared, done] {
+      done.is_ok() ? open_prepared(prepared, activity) : fail_opening(activity, done);
+    };
+  });
+}
+
+// A large scan takes seconds until it can be edited: what there is of it is shown meanwhile.
+void Workspace::open_prepared(const std::shared_ptr<Prepared>& prepared,
+                              const std::shared_ptr<Activity>& activity) {
+  run_opener(
+      [prepared](const std::shared_ptr<Connection>& connection, const Progress& progress) {
+        return open_document(connection, prepared->wish, progress, &prepared->is_open);
       },
       activity);
+  if (!has_picture()) look_early(prepared);
 }
 
 void Workspace::open_again(int depth) {
@@ -37,27 +60,45 @@ void Workspace::open_again(int depth) {
       std::make_shared<Activity>("Opening at depth " + std::to_string(depth)));
 }
 
+bool Workspace::begins_opening() {
+  if (!need_connection("open")) {
+    forget_raw();
+    return false;
+  }
+  return !std::exchange(opening_, true);
+}
+
 void Workspace::open_by(Opener opener, const std::shared_ptr<Activity>& activity) {
-  if (!need_connection("open")) return forget_raw();
-  if (opening_) return;
-  opening_ = true;
+  if (begins_opening()) run_opener(std::move(opener), activity);
+}
+
+void Workspace::run_opener(Opener opener, const std::shared_ptr<Activity>& activity) {
   start_activity(activity, [this, activity, connection = connection_,
                             opener = std::move(opener)](const Progress& progress) {
     connection->bring_back(progress);
     auto opened = std::make_shared<Result<OpenedDocument>>(opener(connection, progress));
-    return [this, activity, opened] {
-      opening_ = false;
-      if (activity == raw_work_ && begins_again()) return delete_if_new(*opened);
-      if (opened->is_ok()) return show(std::move(**opened));
-      forget_raw();
-      log.failure("open", opened->status());
-    };
+    return [this, activity, opened] { take_opened(activity, *opened); };
   });
 }
 
+void Workspace::take_opened(const std::shared_ptr<Activity>& activity,
+                            Result<OpenedDocument>& opened) {
+  if (!opened.is_ok()) return fail_opening(activity, opened.status());
+  opening_ = false;
+  if (activity == raw_work_ && begins_again()) return delete_if_new(*opened);
+  show(std::move(*opened));
+}
+
+void Workspace::fail_opening(const std::shared_ptr<Activity>& activity, const Status& why) {
+  opening_ = false;
+  if (activity == raw_work_ && begins_again()) return;
+  forget_raw();
+  log.failure("open", why);
+}
+
 // A session that nobody has seen is of no use to anybody.
-void Workspace::delete_if_new(const Result<OpenedDocument>& opened) {
-  if (opened.is_ok() && opened->is_new) delete_session(opened->session);
+void Workspace::delete_if_new(const OpenedDocument& opened) {
+  if (opened.is_new) delete_session(opened.session);
 }
 
 void Workspace::join(const SessionInfo& session) {
@@ -102,6 +143,7 @@ void Workspace::show(OpenedDocument opened) {
                                                  options_.pages, options_.wake, options_.clock});
   // The surface is on the screen already.
   const bool goes_on = raw_ && raw_->triangles == document->scan().scan.statistics.triangles;
+  raw_triangles_ = goes_on ? drawn_triangles(*raw_) : 0;
   forget_raw();
   const Status shown = document->open(renderer_);
   if (!shown.is_ok()) return log.failure("open", shown);

@@ -1,4 +1,3 @@
-#include "client/model/view_state.h"
 #include "client/model/workspace.h"
 
 namespace burnish {
@@ -9,11 +8,21 @@ static std::filesystem::path views_file(const std::filesystem::path& preferences
                              : std::filesystem::path(preferences).replace_filename("views.toml");
 }
 
+std::optional<ViewState> Workspace::kept_view(const std::string& session) const {
+  const std::filesystem::path file = views_file(options_.preferences);
+  return file.empty() ? std::nullopt : read_view(file, {recent_server(), session});
+}
+
+void Workspace::see_as_kept(const std::string& session) {
+  const auto view = kept_view(session);
+  if (!view) return;
+  viewport.camera = view->camera;
+  viewport.options = view->options;
+}
+
 // The camera of a raw scan that the session takes over stays: the user may have turned it.
 void Workspace::restore_view(bool keeps_camera) {
-  const std::filesystem::path file = views_file(options_.preferences);
-  if (file.empty()) return;
-  auto view = read_view(file, {document_server_, document_->session().id});
+  auto view = kept_view(document_->session().id);
   if (!view) return;
   if (!keeps_camera) viewport.camera = view->camera;
   viewport.options = view->options;

@@ -91,6 +91,7 @@ bool Front::may_draw(Time now) {
 
 Front::Shown Front::next_shown() const {
   Shown next{.begun = workspace_.pictures_begun(),
+             .is_raw = workspace_.raw() != nullptr,
              .size = workspace_.viewport.size(),
              .camera = workspace_.viewport.camera,
              .is_smooth = shown_.is_smooth};
@@ -128,7 +129,9 @@ Status Front::draw(Time now) {
   Shown next = next_shown();
   if (!(next == shown_)) changed_at_ = now;
   next.is_smooth = is_at_rest(next, now);
-  if (next == shown_) return Status::ok();
+  const bool keeps = shown_.is_raw && size == shown_.size && !next.is_raw &&
+                     workspace_.keeps_raw_picture(shown_.camera);
+  if (next == shown_ || keeps) return Status::ok();
   RETURN_IF_ERROR(draw_surface(next.is_smooth));
   shown_ = std::move(next);
   host_.show();

@@ -66,6 +66,7 @@ class Front {
   /// Decides the picture.
   struct Shown {
     uint64_t begun = 0;
+    bool is_raw = false;
     uint64_t changes = 0;
     ImageSize size;
     Camera camera;

@@ -120,6 +120,7 @@ std::string snapshot_of(Workspace& workspace, FrontState& state) {
   write_messages(workspace.log, state, json);
   write_presets(workspace.document(), json);
   json.flag("recording", state.script.has_value());
+  json.text("opening", workspace.raw() ? workspace.raw()->name : "");
   json.key("document");
   workspace.document() ? write_document(workspace, state, json) : void(json.null());
   json.close();

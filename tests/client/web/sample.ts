@@ -156,5 +156,6 @@ export const snapshot: Snapshot = {
   ],
   preset: null,
   recording: false,
+  opening: "",
   document: null,
 };

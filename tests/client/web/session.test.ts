@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { Bench, type Visit } from "./harness";
-import { library } from "./sample";
+import { library, session } from "./sample";
 
 const bench = new Bench();
 before(() => bench.start());
@@ -235,6 +235,26 @@ test("DownloadHasItsName", () =>
       window.orders.postMessage({ post: { kind: "download", name: "tablet.ply", blob: new Blob(["ply"]) } }),
     );
     assert.equal((await download).suggestedFilename(), "tablet.ply");
+  }));
+
+test("ScanIsSeenBeforeItsSessionIsOpen", () =>
+  bench.visitSession(async (visit) => {
+    const picture = visit.page.getByRole("img", { name: "Picture of skull" });
+    await visit.change({ document: null, opening: "skull" });
+    await picture.waitFor();
+    await visit.page.getByText("The session is being opened.").waitFor();
+    assert.equal(await visit.page.getByRole("button", { name: "Open a scan…" }).count(), 0);
+    assert.equal(await visit.page.getByRole("slider").count(), 0);
+    const before = (await picture.boundingBox())!;
+    await visit.page.mouse.move(before.x + 40, before.y + 30);
+    await visit.page.mouse.down();
+    await visit.message("pointer", { what: "press" });
+    await visit.page.mouse.up();
+    await visit.change({ document: { ...session, scan: "skull" }, opening: "" });
+    await visit.page.getByRole("slider").first().waitFor();
+    assert.deepEqual(await picture.boundingBox(), before, "the picture stays in its place");
+    await visit.change({ document: null });
+    await visit.page.getByRole("button", { name: "Open a scan…" }).waitFor();
   }));
 
 test("LostConnectionIsSaidAndGoesAway", () =>

@@ -1,4 +1,4 @@
-// Says that a page lacks two things: a server of its own, and raw scans.
+// Says that a page lacks two things: a server of its own, and files that are shown before a server has them.
 
 #include "client/model/private_server.h"
 #include "client/model/raw_scan.h"
@@ -20,14 +20,6 @@ bool can_be_raw(const std::filesystem::path&) {
 
 Result<RawScan> read_raw_scan(const std::filesystem::path& file, uint64_t) {
   return unimplemented(file.string() + ": a page shows a scan once the server has it");
-}
-
-Status put_into(PageRenderer&, RawScan& scan) {
-  return unimplemented(scan.file.string() + ": a page shows a scan once the server has it");
-}
-
-DrawStyle style_of(const RawScan&) {
-  return {};
 }
 
 }  // namespace burnish

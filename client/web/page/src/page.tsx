@@ -29,6 +29,8 @@ export function Page({ link }: { link: EngineLink }) {
   const scriptFile = useRef<HTMLInputElement>(null);
   const isWide = useIsWide();
   const document = state.snapshot?.document ?? null;
+  const opening = document ? "" : (state.snapshot?.opening ?? "");
+  const hasPicture = document !== null || opening !== "";
   useEffect(() => {
     link.onchange = () => setState(link.state);
     setState(link.state);
@@ -43,7 +45,8 @@ export function Page({ link }: { link: EngineLink }) {
   };
   useKeys(link, actions);
   useDrop(link);
-  useTitle(document ? `${document.session} – Burnish` : "Burnish");
+  const title = document?.session ?? opening;
+  useTitle(title ? `${title} – Burnish` : "Burnish");
   const close = () => setShown(kClosed);
   const messages = [...(state.snapshot?.messages ?? []), ...state.refusals];
   return (
@@ -57,14 +60,15 @@ export function Page({ link }: { link: EngineLink }) {
         }}
         onReplay={() => scriptFile.current?.click()}
       />
-      <div class={document ? (isWide ? "session wide" : "session") : "no-session"}>
+      <div class={hasPicture ? (isWide ? "session wide" : "session") : "no-session"}>
         {document && (
           <EditColumn document={document} presets={state.snapshot?.presets ?? []} preset={state.snapshot?.preset ?? null}>
             {!isWide && <ShowSections {...{ document, figures }} />}
           </EditColumn>
         )}
-        <div class="middle" hidden={!document}>
-          <Picture key={state.starts} document={document} />
+        {opening && <OpeningColumn scan={opening} />}
+        <div class="middle" hidden={!hasPicture}>
+          <Picture key={state.starts} document={document} opening={opening} />
           {document && <OverPicture document={document} />}
           {document && <Hud document={document} figures={figures && isWide} />}
           {document?.view && document.scale && <ColourBar scale={document.scale} />}
@@ -76,7 +80,7 @@ export function Page({ link }: { link: EngineLink }) {
             <ShowSections document={document} figures={false} />
           </aside>
         )}
-        {!document && state.snapshot && (
+        {!hasPicture && state.snapshot && (
           <StartPage library={state.snapshot.library} onOpen={actions.open} />
         )}
         {!state.snapshot && !state.stopped && (
@@ -106,6 +110,17 @@ export function Page({ link }: { link: EngineLink }) {
         onFile={(file) => link.post({ kind: "replay", file })}
       />
     </LinkContext.Provider>
+  );
+}
+
+/** Stands where the tools will be. */
+function OpeningColumn({ scan }: { scan: string }) {
+  return (
+    <aside class="column left" aria-label="Edit">
+      <h2>{scan}</h2>
+      <p role="status">The session is being opened. The tools appear here when it is ready.</p>
+      <p class="faint">The picture is a coarse one of the scan, without its edits.</p>
+    </aside>
   );
 }
 

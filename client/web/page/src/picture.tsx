@@ -6,8 +6,11 @@ import { useLink } from "./context";
 import { PicturePointer } from "./pointer";
 import type { Document } from "./snapshot";
 
-/** Needs: another key for each start of the engine, for a canvas is handed over once. */
-export function Picture({ document }: { document: Document | null }) {
+/**
+ * `opening`: the scan that is shown before a document is there; empty: none.
+ * Needs: another key for each start of the engine, for a canvas is handed over once.
+ */
+export function Picture({ document, opening = "" }: { document: Document | null; opening?: string }) {
   const link = useLink();
   const place = useRef<HTMLDivElement>(null);
   const canvas = useRef<HTMLCanvasElement>(null);
@@ -26,15 +29,16 @@ export function Picture({ document }: { document: Document | null }) {
       stopListening();
     };
   }, []);
+  const scan = document?.scan ?? opening;
   const isGrey = document !== null && document.link !== "live";
   return (
-    <div ref={place} class={isGrey ? "place grey" : "place"} hidden={document === null}>
+    <div ref={place} class={isGrey ? "place grey" : "place"} hidden={scan === ""}>
       <canvas
         ref={canvas}
         class="picture"
         tabIndex={0}
         role="img"
-        aria-label={document ? `Picture of ${document.scan}` : "No picture"}
+        aria-label={scan ? `Picture of ${scan}` : "No picture"}
       />
     </div>
   );

@@ -11,7 +11,9 @@ export interface Snapshot {
   preset: PresetInForce | null;
   /** Commands are being written to a script. */
   recording: boolean;
-  /** The session that is open; null on the start page. */
+  /** The scan of which a coarse picture is shown until its session is open. */
+  opening: string;
+  /** The session that is open; null on the start page and while one opens. */
   document: Document | null;
 }
 
