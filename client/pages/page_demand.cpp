@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "common/base/heap_sort.h"
+
 namespace burnish {
 
 static constexpr float kInfinite = std::numeric_limits<float>::infinity();
@@ -105,7 +107,7 @@ void DemandFinder::order_blocks() {
     wanted.excess = std::max(wanted.excess, finer);
     level = std::max(level, wanted.excess);
   }
-  std::ranges::sort(demand_.blocks, [](const WantedBlock& one, const WantedBlock& other) {
+  heap_sort(demand_.blocks, [](const WantedBlock& one, const WantedBlock& other) {
     return one.excess != other.excess ? one.excess > other.excess : one.block > other.block;
   });
 }

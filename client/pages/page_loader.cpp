@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/base/heap_sort.h"
+
 namespace burnish {
 
 // Where pictures are slow, a hand that stops for a moment must not wait for a fine one.
@@ -77,7 +79,7 @@ void PageLoader::take_stock() {
       ++needs_.blocks_left_out;
   }
   for (const WantedPage& wanted : cut().used) take_stock_of(wanted);
-  std::ranges::sort(needs_.held, is_more_urgent);
+  heap_sort(needs_.held, is_more_urgent);
   to_decode_.clear();
   for (const MissingItem& one : needs_.held) to_decode_.push_back(one.item.number);
 }
@@ -105,7 +107,7 @@ void PageLoader::miss(const MissingItem& missing, bool is_seen) {
 }
 
 void PageLoader::put_on_card() {
-  std::ranges::sort(needs_.decoded, is_more_urgent);
+  heap_sort(needs_.decoded, is_more_urgent);
   for (const MissingItem& one : needs_.decoded)
     if (!place(one.item.number)) return;
 }

@@ -8,6 +8,7 @@
 #include "client/scene/page_normals.h"
 #include "client/scene/ray_box.h"
 #include "common/base/check.h"
+#include "common/base/heap_sort.h"
 
 namespace burnish {
 
@@ -56,7 +57,7 @@ void PageSurface::move(uint32_t slot, std::vector<Vec3f> displacements) {
 
 static std::vector<PatchRange> by_slot(std::span<const PatchRange> patches) {
   std::vector<PatchRange> sorted(patches.begin(), patches.end());
-  std::ranges::sort(sorted, {}, [](const PatchRange& p) { return std::tuple(p.slot, p.first); });
+  heap_sort(sorted, {}, [](const PatchRange& p) { return std::tuple(p.slot, p.first); });
   return sorted;
 }
 

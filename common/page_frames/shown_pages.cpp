@@ -4,6 +4,7 @@
 #include <iterator>
 #include <string>
 
+#include "common/base/heap_sort.h"
 #include "common/base/limits.h"
 
 namespace burnish {
@@ -17,7 +18,7 @@ std::string name_of(PageId page) {
 }
 
 std::vector<ShownPage> by_number(std::vector<ShownPage> pages) {
-  std::ranges::sort(pages, {}, &ShownPage::page);
+  heap_sort(pages, {}, &ShownPage::page);
   return pages;
 }
 

@@ -70,7 +70,7 @@ core_folder(client/connection ONLY call_status connection edit_calls export_call
   history_calls import_call measure_calls page_calls page_value_calls rename_calls sheet_calls)
 core_folder(client/model EXCEPT beside connection_form detached_program file_browser file_list
   leaving letters lighting_toml native_dialog preferences private_folder private_server raw_scan_file
-  recorder_file scan_files session_picture_files tasks typed_path user_socket view_state)
+  recorder_file scan_files session_picture_files tasks typed_path user_socket view_state workspace_raw_file)
 core_folder(client/script EXCEPT lone_script)
 core_folder(client/web/core)
 core_folder(client/web/core/carrier)
