@@ -63,7 +63,7 @@ static Status write_surface(MeshStore& store, const std::string& scan_id, const 
   summary.pictures = text_of(pictures.report);
   if (!moved.colours().is_there()) return Status::ok();
   ASSIGN_OR_RETURN(const auto names,
-                   edited_colours_left_out(*original, format, pictures.report, heard));
+                   edited_colours_left_out(*original, format, moved.seams, pictures.report, heard));
   summary.left_out.insert(summary.left_out.end(), names.begin(), names.end());
   return Status::ok();
 }

@@ -158,7 +158,8 @@ Status write_out(const FilterOptions& options, const FilterPaths& paths,
   RETURN_IF_ERROR(write_surface(options, paths, formats, moved, pictures));
   facts.pictures = std::move(pictures.report);
   if (!moved.colours().is_there()) return Status::ok();
-  ASSIGN_OR_RETURN(const auto names, tell_colours_left_out(paths, formats, facts.pictures));
+  ASSIGN_OR_RETURN(const auto names,
+                   tell_colours_left_out(paths, formats, moved.seams, facts.pictures));
   facts.left_out.insert(facts.left_out.end(), names.begin(), names.end());
   return Status::ok();
 }

@@ -70,10 +70,10 @@ Status write_surface(const FilterOptions& options, const FilterPaths& paths, Fil
 }
 
 Result<std::vector<std::string>> tell_colours_left_out(const FilterPaths& paths,
-                                                       FilterFormats formats,
+                                                       FilterFormats formats, const SeamWish& seams,
                                                        const PictureReport& pictures) {
-  ASSIGN_OR_RETURN(auto left_out,
-                   edited_colours_left_out(original_of(paths, formats.in), formats.out, pictures));
+  ASSIGN_OR_RETURN(auto left_out, edited_colours_left_out(original_of(paths, formats.in),
+                                                          formats.out, seams, pictures));
   warn_of_left_out(left_out, paths.out_name);
   return left_out;
 }

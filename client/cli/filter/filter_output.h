@@ -35,7 +35,7 @@ Status write_surface(const FilterOptions& options, const FilterPaths& paths, Fil
 /// Returns what OUT does not have of edited colours, and warns of it on stderr. Fails: as IN cannot
 /// be read.
 Result<std::vector<std::string>> tell_colours_left_out(const FilterPaths& paths,
-                                                       FilterFormats formats,
+                                                       FilterFormats formats, const SeamWish& seams,
                                                        const PictureReport& pictures);
 
 }  // namespace burnish

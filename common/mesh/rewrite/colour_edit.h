@@ -4,6 +4,7 @@
 #include <span>
 
 #include "common/base/types.h"
+#include "common/mesh/rewrite/seam_wish.h"
 #include "common/mesh/texel_change.h"
 
 namespace burnish {
@@ -13,10 +14,11 @@ struct ColourEdit {
   std::span<const Rgba8> before;
   std::span<const Rgba8> after;
   std::span<const TexelChange> texels = {};  ///< one per vertex; empty: as between the colours
+  SeamWish seams = {};                       ///< of pictures, before all else
 
   bool is_there() const {
     return before.size() == after.size() &&
-           (!std::ranges::equal(before, after) ||
+           (seams.is_on() || !std::ranges::equal(before, after) ||
             std::ranges::any_of(texels, [](const TexelChange& texel) { return !texel.is_none(); }));
   }
   bool changes(uint32_t vertex) const {

@@ -29,6 +29,7 @@ class PictureEdits {
 
   Result<std::vector<EditedPicture>> edit() {
     RETURN_IF_ERROR(ask(surface_bytes() + triangle_bytes()));
+    if (edit_.seams.is_on()) RETURN_IF_ERROR(level());
     RETURN_IF_ERROR(find_uses());
     uint64_t texels = 0;
     for (size_t p = 0; p < uses_.size(); ++p) {
@@ -47,6 +48,17 @@ class PictureEdits {
  private:
   Status ask(uint64_t bytes) const { return work_.budget ? work_.budget(bytes) : Status::ok(); }
 
+  Status level() {
+    const auto beside = [&](uint64_t bytes) {
+      return ask(bytes == 0 ? 0 : surface_bytes() + bytes);
+    };
+    ASSIGN_OR_RETURN(levelled_, level_seams(surface_, edit_.seams, beside));
+    work_.report.seams = levelled_->report;
+    return Status::ok();
+  }
+
+  const LevelledSeams* levelled() const { return levelled_ ? &*levelled_ : nullptr; }
+
   static Status too_many() {
     return unimplemented("pictures beyond the first " + std::to_string(kTexturePicturesMax));
   }
@@ -58,7 +70,7 @@ class PictureEdits {
            std::span(surface_.mesh.triangles).size_bytes() +
            std::span(surface_.mesh.colours).size_bytes() +
            std::span(textures.triangles).size_bytes() +
-           std::span(textures.coordinates).size_bytes();
+           std::span(textures.coordinates).size_bytes() + (levelled_ ? levelled_->byte_count() : 0);
   }
 
   uint64_t triangle_bytes() const {
@@ -73,7 +85,8 @@ class PictureEdits {
       const uint32_t picture = shown_picture(surface_.textures, static_cast<uint32_t>(t));
       if (picture == kNoTexture) continue;
       uses_[picture].triangles.push_back(static_cast<uint32_t>(t));
-      uses_[picture].is_edited |= edit_.changes(surface_.mesh.triangles[t]);
+      uses_[picture].is_edited |= edit_.changes(surface_.mesh.triangles[t]) ||
+                                  (levelled_ && levelled_->changes(static_cast<uint32_t>(t)));
     }
     return Status::ok();
   }
@@ -93,7 +106,8 @@ class PictureEdits {
                           TexelChanges::bytes_of(triangles.size(), size.width)));
       ASSIGN_OR_RETURN(place,
                        PicturePlace::find(surface_.textures, triangles, size.width, size.height));
-      changes.emplace(surface_, edit_, triangles, *place, size.width, size.height);
+      changes.emplace(TexelEdit{surface_, edit_, levelled()}, triangles, *place, size.width,
+                      size.height);
       return Status::ok();
     };
     const auto change = [&](const FileRows& rows) { return changes->change(rows, goes_on); };
@@ -124,6 +138,7 @@ class PictureEdits {
   const TexturedSurface& surface_;
   const ColourEdit& edit_;
   PictureWork& work_;
+  std::optional<LevelledSeams> levelled_;
   std::vector<PictureUse> uses_;  // by picture
   std::vector<EditedPicture> edited_;
   uint64_t held_bytes_ = 0;  // of the edited ones
@@ -132,12 +147,13 @@ class PictureEdits {
 }  // namespace
 
 std::string text_of(const PictureReport& report) {
-  if (report.pictures == 0) return {};
+  if (report.pictures == 0) return report.seams ? text_of(*report.seams) : std::string();
   std::string text = std::to_string(report.changed) + " of " + std::to_string(report.pictures) +
                      " pictures changed, " + std::to_string(report.texels) + " texels";
   if (report.shared_texels > 0)
     text += "; " + std::to_string(report.shared_texels) +
             " of them are shown more than once and got the mean";
+  if (report.seams) text += "; " + text_of(*report.seams);
   for (const std::string& note : report.notes) text += "; " + note;
   return text;
 }

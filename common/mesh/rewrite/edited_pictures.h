@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,18 +11,20 @@
 #include "common/mesh/files_beside.h"
 #include "common/mesh/mesh_format.h"
 #include "common/mesh/rewrite/colour_edit.h"
+#include "common/mesh/rewrite/level_seams.h"
 #include "common/mesh/textured_surface.h"
 
 namespace burnish {
 
 /// Says what became of the pictures of a scan whose colours are edited.
 struct PictureReport {
-  uint32_t pictures = 0;           ///< that edited triangles show
-  uint32_t changed = 0;            ///< that are written with other texels
-  uint64_t texels = 0;             ///< that changed
-  uint64_t shared_texels = 0;      ///< of these: shown by several triangles, whose mean they get
-  std::vector<std::string> kept;   ///< pictures that edits should change, and why they do not
-  std::vector<std::string> notes;  ///< what else is different in a changed picture
+  uint32_t pictures = 0;            ///< that edited triangles show
+  uint32_t changed = 0;             ///< that are written with other texels
+  uint64_t texels = 0;              ///< that changed
+  uint64_t shared_texels = 0;       ///< of these: shown by several triangles, whose mean they get
+  std::vector<std::string> kept;    ///< pictures that edits should change, and why they do not
+  std::vector<std::string> notes;   ///< what else is different in a changed picture
+  std::optional<SeamReport> seams;  ///< if they were levelled
 };
 
 /// "2 of 3 pictures changed, 81220 texels", and the notes; empty without pictures.
@@ -40,9 +43,10 @@ struct EditedPicture {
   std::vector<uint8_t> bytes;
 };
 
-/// Writes the pictures again that edited triangles show (texel_changes.h). A picture that cannot be
+/// Writes the pictures again that edited triangles show (texel_changes.h), with level seams if the
+/// edit wants it (level_seams.h). A picture that cannot be
 /// written stays, and the report says why: it is missing or damaged, it repeats over the surface,
-/// or its kind. Fails: resource_exhausted; cancelled; as the budget does.
+/// or its kind. Fails: as level_seams(); resource_exhausted; cancelled; as the budget does.
 Result<std::vector<EditedPicture>> edit_pictures(const TexturedSurface& surface,
                                                  const ColourEdit& edit, PictureWork& work);
 

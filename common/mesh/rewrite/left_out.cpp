@@ -119,13 +119,14 @@ Result<bool> keeps_changed_colours(const OriginalFile& original, MeshFormat to,
 }
 
 Result<std::vector<std::string>> edited_colours_left_out(const OriginalFile& original,
-                                                         MeshFormat to,
+                                                         MeshFormat to, const SeamWish& seams,
                                                          const PictureReport& pictures,
                                                          const FileBudget& budget) {
   std::vector<std::string> names;
   for (const std::string& kept : pictures.kept) names.push_back("edited colours of " + kept);
   ASSIGN_OR_RETURN(const bool is_kept, keeps_changed_colours(original, to, budget));
-  if (!is_kept && pictures.pictures == 0) names.emplace_back("edited colours");
+  if (!is_kept && pictures.pictures == 0 && !pictures.seams) names.emplace_back("edited colours");
+  if (seams.is_on() && !pictures.seams) names.emplace_back("levelled seams");
   return names;
 }
 

@@ -24,9 +24,10 @@ Result<bool> keeps_changed_colours(const OriginalFile& original, MeshFormat to,
                                    const FileBudget& budget = {});
 
 /// Names what a written file does not have of edited colours: all of them if neither vertices nor
-/// pictures have them, and pictures that were kept, with the reason. Fails: likewise.
+/// pictures have them, pictures that were kept, with the reason, and wanted seams that nobody
+/// levelled. Fails: likewise.
 Result<std::vector<std::string>> edited_colours_left_out(const OriginalFile& original,
-                                                         MeshFormat to,
+                                                         MeshFormat to, const SeamWish& seams,
                                                          const PictureReport& pictures,
                                                          const FileBudget& budget = {});
 

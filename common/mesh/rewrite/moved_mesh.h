@@ -20,8 +20,9 @@ struct MovedMesh {
   double cap = 0;  ///< no vertex is written farther from its place than this; 0: anywhere
   std::span<const Rgba8> colours_before = {};  ///< as read_mesh() gave them
   std::span<const TexelChange> texels = {};    ///< as ColourEdit has them
+  SeamWish seams = {};                         ///< likewise
 
-  ColourEdit colours() const { return {colours_before, after.colours, texels}; }
+  ColourEdit colours() const { return {colours_before, after.colours, texels, seams}; }
 };
 
 /// Fails: data_loss if the original does not have this coordinate: it is not the file that was

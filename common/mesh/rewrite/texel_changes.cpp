@@ -89,7 +89,27 @@ struct ChannelPlanes {
   Plane light, tint;
 };
 
-using ChangedCorners = std::array<TexelChange, 3>;
+/// The change at a corner, by channel.
+struct ChangedCorner {
+  Vec3f gain = Vec3f::Ones();
+  Vec3f light = Vec3f::Zero();
+};
+using ChangedCorners = std::array<ChangedCorner, 3>;
+
+ChangedCorners corners_of(const TexelEdit& edit, uint32_t triangle) {
+  const Triangle& vertices = edit.surface.mesh.triangles[triangle];
+  ChangedCorners corners;
+  for (size_t k = 0; k < 3; ++k) {
+    const TexelChange texel = edit.colours.texel(vertices[k]);
+    const Vec3f level = edit.seams != nullptr ? edit.seams->factor(triangle, k) : Vec3f::Ones();
+    corners[k] = {texel.gain * level, texel.light};
+  }
+  return corners;
+}
+
+bool has_gains(const ChangedCorners& corners) {
+  return std::ranges::any_of(corners, [](const auto& one) { return one.gain != Vec3f::Ones(); });
+}
 
 ChannelPlanes planes_of(const TexturedSurface& surface, const ChangedCorners& corners,
                         const DrawnTriangle& drawn, uint32_t triangle, size_t channel) {
@@ -107,8 +127,10 @@ ChannelPlanes planes_of(const TexturedSurface& surface, const ChangedCorners& co
   return {drawn.between(light), drawn.between(tint)};
 }
 
-Plane gain_plane(const ChangedCorners& corners, const DrawnTriangle& drawn) {
-  return drawn.between({corners[0].gain - 1.0, corners[1].gain - 1.0, corners[2].gain - 1.0});
+Plane gain_plane(const ChangedCorners& corners, const DrawnTriangle& drawn, size_t channel) {
+  const auto i = static_cast<int>(channel);
+  return drawn.between(
+      {corners[0].gain[i] - 1.0, corners[1].gain[i] - 1.0, corners[2].gain[i] - 1.0});
 }
 
 }  // namespace
@@ -119,10 +141,9 @@ uint64_t TexelChanges::bytes_of(size_t triangles, uint32_t width) {
          uint64_t{width} * (kBandRowsMax + 2 * kGutterTexels) * sizeof(Change);
 }
 
-TexelChanges::TexelChanges(const TexturedSurface& surface, const ColourEdit& edit,
-                           std::span<const uint32_t> triangles, const PicturePlace& place,
-                           uint32_t width, uint32_t height)
-    : surface_(surface), edit_(edit), place_(place), width_(width), height_(height) {
+TexelChanges::TexelChanges(const TexelEdit& edit, std::span<const uint32_t> triangles,
+                           const PicturePlace& place, uint32_t width, uint32_t height)
+    : edit_(edit), place_(place), width_(width), height_(height) {
   visits_.reserve(triangles.size());
   for (const uint32_t t : triangles) {
     const auto corners = place.corners(t);
@@ -186,14 +207,14 @@ bool TexelChanges::take_means(std::span<Change> row) {
 void TexelChanges::draw(uint32_t triangle, uint32_t from, uint32_t to, uint32_t first) {
   const DrawnTriangle drawn(place_.corners(triangle));
   if (!drawn.has_area()) return;
-  const Triangle& vertices = surface_.mesh.triangles[triangle];
-  const bool is_edited = edit_.changes(vertices);
-  ChangedCorners corners;
-  for (size_t k = 0; is_edited && k < 3; ++k) corners[k] = edit_.texel(vertices[k]);
+  const bool is_edited = edit_.changes(triangle);
+  const ChangedCorners corners = is_edited ? corners_of(edit_, triangle) : ChangedCorners();
+  const bool is_gained = has_gains(corners);
   std::array<ChannelPlanes, 3> planes;
+  std::array<Plane, 3> gains;
   for (size_t i = 0; is_edited && i < 3; ++i)
-    planes[i] = planes_of(surface_, corners, drawn, triangle, i);
-  const Plane gain = gain_plane(corners, drawn);
+    planes[i] = planes_of(edit_.surface, corners, drawn, triangle, i);
+  for (size_t i = 0; is_gained && i < 3; ++i) gains[i] = gain_plane(corners, drawn, i);
   for (uint32_t y = from; y < to; ++y) {
     const auto [begin, end] = drawn.columns(y, width_);
     if (begin >= end) continue;
@@ -204,7 +225,7 @@ void TexelChanges::draw(uint32_t triangle, uint32_t from, uint32_t to, uint32_t 
     }
     for (size_t i = 0; is_edited && i < 3; ++i)
       add_row(texels, i, planes[i].light.at(begin, y), planes[i].tint.at(begin, y));
-    if (is_edited) add_gains(texels, gain.at(begin, y));
+    for (size_t i = 0; is_gained && i < 3; ++i) add_gains(texels, i, gains[i].at(begin, y));
   }
 }
 
@@ -219,9 +240,9 @@ void TexelChanges::add_row(std::span<Change> texels, size_t channel, std::array<
   }
 }
 
-void TexelChanges::add_gains(std::span<Change> texels, std::array<float, 2> gain) {
+void TexelChanges::add_gains(std::span<Change> texels, size_t channel, std::array<float, 2> gain) {
   for (size_t x = 0; x < texels.size(); ++x)
-    texels[x].parts[3] += gain[0] + static_cast<float>(x) * gain[1];
+    texels[x].parts[3 + channel] += gain[0] + static_cast<float>(x) * gain[1];
 }
 
 /// Gives texels without a change the mean of those around that have lower levels.
@@ -245,7 +266,7 @@ void TexelChanges::find_around(uint32_t row, uint32_t rows, uint16_t level,
         const Change& near = changes_[size_t{y} * width_ + i];
         if (near.level == 0) continue;
         ++count;
-        for (size_t c = 0; c < 4; ++c) one.change.parts[c] += near.parts[c];
+        for (size_t c = 0; c < near.parts.size(); ++c) one.change.parts[c] += near.parts[c];
       }
     if (count == 0) continue;
     for (float& part : one.change.parts) part /= count;
@@ -261,11 +282,12 @@ uint64_t TexelChanges::apply(std::span<const Change> changes, std::span<FileTexe
 #pragma omp parallel for schedule(static) reduction(+ : shared)
   for (size_t t = 0; t < texels.size(); ++t) {
     const FileTexel before = texels[t];
-    const std::array<float, 4>& parts = changes[t].parts;
+    const auto& parts = changes[t].parts;
     for (size_t i = 0; i < 3; ++i) {
-      if (parts[i] == 0 && parts[3] == 0) continue;
+      const float gain = parts[3 + i];
+      if (parts[i] == 0 && gain == 0) continue;
       const float light = light_.of_value(before[i], max);
-      texels[t][i] = light_.value_of(light + parts[3] * light + parts[i], max);
+      texels[t][i] = light_.value_of(light + gain * light + parts[i], max);
     }
     shared += changes[t].triangles > 1 && texels[t] != before ? 1 : 0;
   }

@@ -8,6 +8,7 @@
 
 #include "common/base/status.h"
 #include "common/mesh/rewrite/colour_edit.h"
+#include "common/mesh/rewrite/level_seams.h"
 #include "common/mesh/rewrite/picture_place.h"
 #include "common/mesh/rewrite/shown_light.h"
 #include "common/mesh/textured_surface.h"
@@ -18,17 +19,29 @@ namespace burnish {
 /// Changed texels go so far beyond the triangles: two mips read them.
 inline constexpr uint32_t kGutterTexels = 4;
 
+/// Says what becomes of the texels of a surface. Needs: what it refers to outlives it.
+struct TexelEdit {
+  const TexturedSurface& surface;
+  ColourEdit colours;
+  const LevelledSeams* seams = nullptr;  ///< null: they stay
+
+  bool changes(uint32_t triangle) const {
+    return colours.changes(surface.mesh.triangles[triangle]) ||
+           (seams != nullptr && seams->changes(triangle));
+  }
+};
+
 /// Changes the texels of a picture as renderers show edited colours: in linear light, a texel times
-/// a gain plus a change, both between its triangle's corners (client/gl/texel_shader.cpp). Where
+/// a gain plus a change, both between its triangle's corners (client/gl/texel_shader.cpp). Factors
+/// of levelled seams multiply the texel first. Where
 /// several triangles show a texel it gets the mean of their changes. Beyond triangles the change
 /// goes on as the mean of what is around. Works in bands of rows, so a picture of any height takes
 /// no more memory. The same texels for any number of threads and any bands.
 class TexelChanges {
  public:
   /// `triangles`: all that show the picture. Needs: what it refers to outlives it.
-  TexelChanges(const TexturedSurface& surface, const ColourEdit& edit,
-               std::span<const uint32_t> triangles, const PicturePlace& place, uint32_t width,
-               uint32_t height);
+  TexelChanges(const TexelEdit& edit, std::span<const uint32_t> triangles,
+               const PicturePlace& place, uint32_t width, uint32_t height);
 
   /// Returns the memory that it takes.
   static uint64_t bytes_of(size_t triangles, uint32_t width);
@@ -45,10 +58,10 @@ class TexelChanges {
     uint32_t first, last;
     uint32_t triangle;
   };
-  /// The change of a texel: its light's for red, green and blue, and the gain less 1. Level 0:
-  /// unknown; 1: of triangles; above: of texels around with lower levels.
+  /// The change of a texel: its light's for red, green and blue, and the gains of these less 1.
+  /// Level 0: unknown; 1: of triangles; above: of texels around with lower levels.
   struct Change {
-    std::array<float, 4> parts = {0, 0, 0, 0};
+    std::array<float, 6> parts = {0, 0, 0, 0, 0, 0};
     uint16_t triangles = 0;
     uint16_t level = 0;
   };
@@ -63,7 +76,7 @@ class TexelChanges {
   void draw(uint32_t triangle, uint32_t from, uint32_t to, uint32_t first);
   static void add_row(std::span<Change> texels, size_t channel, std::array<float, 2> light,
                       std::array<float, 2> tint);
-  static void add_gains(std::span<Change> texels, std::array<float, 2> gain);
+  static void add_gains(std::span<Change> texels, size_t channel, std::array<float, 2> gain);
   static bool take_means(std::span<Change> row);
   void extend(uint32_t rows, uint16_t level);
   void find_around(uint32_t row, uint32_t rows, uint16_t level, std::vector<Found>& found) const;
@@ -72,8 +85,7 @@ class TexelChanges {
     return std::span(changes_).subspan(size_t{row} * width_, width_);
   }
 
-  const TexturedSurface& surface_;
-  const ColourEdit edit_;
+  const TexelEdit edit_;
   const PicturePlace& place_;
   const uint32_t width_, height_;
   const ShownLight light_;

@@ -40,7 +40,7 @@ struct PaintedGrid {
     for (uint32_t t = 0; t < triangles.size(); ++t) triangles[t] = t;
     const auto place = PicturePlace::find(surface.textures, triangles, kWidth, kHeight);
     EXPECT_TRUE(place.is_ok()) << place.status().message();
-    TexelChanges changes(surface, {before, after, texels_at_vertices}, triangles, *place, kWidth,
+    TexelChanges changes({surface, {before, after, texels_at_vertices}}, triangles, *place, kWidth,
                          kHeight);
     const auto grey = static_cast<uint16_t>(100 * (max / 255));
     std::vector<FileTexel> texels(kWidth * kHeight, FileTexel{grey, grey, grey});
@@ -192,7 +192,7 @@ TEST(TexelChanges, ACancelIsHeard) {
   PaintedGrid grid = bright_grid();
   const std::vector<uint32_t> triangles = {0, 1};
   const auto place = PicturePlace::find(grid.surface.textures, triangles, 8, 8);
-  TexelChanges changes(grid.surface, {grid.before, grid.after}, triangles, *place, 8, 8);
+  TexelChanges changes({grid.surface, {grid.before, grid.after}}, triangles, *place, 8, 8);
   std::vector<FileTexel> texels(64);
   const auto stops = [] { return false; };
   EXPECT_EQ(changes.change({0, 8, 8, 255, texels}, stops).code(), StatusCode::kCancelled);
