@@ -69,6 +69,10 @@ static void add_texture_options(CLI::App& command, FilterChoice& choice) {
       .add_option("--remove-light", choice.remove_light,
                   "How much of the light in the scan's colours goes, 0 to 1")
       ->check(in_range(0.0, 1.0));
+  command
+      .add_option("--level-seams", choice.level_seams,
+                  "How much of the steps between photos goes, in the pictures of OUT, 0 to 1")
+      ->check(in_range(0.0, 1.0));
 }
 
 static void add_edit_lines(CLI::App& command, FilterChoice& choice) {
@@ -149,9 +153,10 @@ static Status add_layers(const FilterChoice& choice, Changes& changes) {
   if (choice.colour_beta || choice.colour_alpha)
     changes.emplace_back(
         SetColour{{choice.colour_alpha.value_or(kAlphaDefault), choice.colour_beta.value_or(1)}});
-  if (choice.texture_gain || choice.remove_light)
+  if (choice.texture_gain || choice.remove_light || choice.level_seams)
     changes.emplace_back(
-        SetTexture{{choice.texture_gain.value_or(1), choice.remove_light.value_or(0)}});
+        SetTexture{{choice.texture_gain.value_or(1), choice.remove_light.value_or(0),
+                    choice.level_seams.value_or(0)}});
   return Status::ok();
 }
 

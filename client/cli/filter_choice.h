@@ -20,7 +20,7 @@ struct FilterChoice {
   double strength = 1;
   Equaliser equaliser;
   std::string palette_file;
-  std::optional<double> colour_beta, colour_alpha, texture_gain, remove_light;
+  std::optional<double> colour_beta, colour_alpha, texture_gain, remove_light, level_seams;
   std::string keep_edges;  ///< name of an edge preset, kAutoEdges or kNoEdges; empty: as before
   std::optional<EdgeFilter> proposed_edges;  ///< with kAutoEdges, by the scan
   std::optional<double> edge_strength, edge_angle, crispness;
@@ -42,8 +42,8 @@ struct FilterChoice {
 };
 
 /// Adds --alpha, --wavelength, --curve, --beta, --preset, --strength, --band, --palette,
-/// --colour-beta, --colour-alpha, --texture-gain, --remove-light and --edit to a command or a group
-/// of its options.
+/// --colour-beta, --colour-alpha, --texture-gain, --remove-light, --level-seams and --edit to a
+/// command or a group of its options.
 void add_filter_options(CLI::App& command, FilterChoice& choice);
 
 /// Adds --keep-edges and what changes its presets.

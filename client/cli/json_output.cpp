@@ -102,7 +102,8 @@ Json to_json(const SessionState& state) {
   json["palette"] = to_json(state.settings.palette);
   json["colours"] = {{"beta", state.settings.colour.beta}, {"alpha", state.settings.colour.alpha}};
   json["texture"] = {{"gain", state.settings.texture.gain},
-                     {"remove_light", state.settings.texture.remove_light}};
+                     {"remove_light", state.settings.texture.remove_light},
+                     {"level_seams", state.settings.texture.level_seams}};
   json["edges"] = to_json(state.settings.edges);
   json["memory_bytes"] = state.memory_bytes;
   json["backend"] = state.backend;

@@ -91,6 +91,9 @@ Result<SetTexture> parse_texture(const Words& words, TextureFilter filter) {
   if (words.size() > 1) {
     ASSIGN_OR_RETURN(filter.remove_light, parse_real(words[1]));
   }
+  if (words.size() > 2) {
+    ASSIGN_OR_RETURN(filter.level_seams, parse_real(words[2]));
+  }
   return SetTexture{filter};
 }
 
@@ -209,10 +212,12 @@ constexpr std::array<EditLine, std::variant_size_v<Change>> kEditLines = {
         [](const Words& words, const Settings&) { return parse_edges(words); },
         [](const SetEdges& change, LineText& text) { write(change.filter, text); }),
     line<EditKind::kTexture>(
-        {"texture", 1, 2, "texture GAIN [LIGHT]: details of colours, and how much light goes"},
+        {"texture", 1, 3,
+         "texture GAIN [LIGHT [SEAMS]]: details of colours, how much light and seams go"},
         [](const Words& words, const Settings& now) { return parse_texture(words, now.texture); },
         [](const SetTexture& change, LineText& text) {
           text << ' ' << change.filter.gain << ' ' << change.filter.remove_light;
+          text << ' ' << change.filter.level_seams;
         }),
     word<EditKind::kUndo, Undo>("undo", "undo: takes back your last edit"),
     word<EditKind::kRedo, Redo>("redo", "redo: brings back what undo took back"),

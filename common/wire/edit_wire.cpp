@@ -309,12 +309,13 @@ v1::TextureFilter to_wire(const TextureFilter& filter) {
   v1::TextureFilter message;
   message.set_gain(filter.gain);
   message.set_remove_light(filter.remove_light);
+  message.set_level_seams(filter.level_seams);
   return message;
 }
 
 TextureFilter from_wire(const v1::TextureFilter& message, bool is_there) {
   if (!is_there) return {};
-  return {message.gain(), message.remove_light()};
+  return {message.gain(), message.remove_light(), message.level_seams()};
 }
 
 v1::EdgeFilter to_wire(const EdgeFilter& filter) {

@@ -146,6 +146,10 @@ class MeshStore {
   /// which are made again with the next call).
   Result<SheetsDescription> describe_sheets(const std::string& id, const Progress& progress);
 
+  /// Returns whether a scan is known to show no picture: its original is here, and its directory
+  /// names none. Takes no time.
+  bool shows_no_picture(const std::string& id);
+
   /// Reads blocks, charts and sheets in the order of the wish, and hands them over one by one.
   /// Fails: invalid_argument naming a part that the scan does not have; failed_precondition when
   /// the scan has no sheets; data_loss when they are damaged: the next describe_sheets() makes them

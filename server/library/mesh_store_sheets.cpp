@@ -47,16 +47,20 @@ static bool is_to_be_made(StatusCode code) {
          code == StatusCode::kUnimplemented || code == StatusCode::kFailedPrecondition;
 }
 
-/// Looks into the original's directory alone, which takes no time.
+bool MeshStore::shows_no_picture(const std::string& id) {
+  if (without_pictures_.has(id)) return true;
+  const auto scan = read_scan_folder(scan_folder(id));
+  if (!scan.is_ok()) return false;
+  const auto file = MappedFile::open(scan_folder(id) / original_file_name(scan->format));
+  if (!file.is_ok() || may_have_pictures(file->bytes(), scan->format)) return false;
+  without_pictures_.add(id);
+  return true;
+}
+
 Result<bool> MeshStore::may_show_pictures(const std::string& id, const Progress& progress) {
   if (without_pictures_.has(id)) return false;
   RETURN_IF_ERROR(bring_here(id, progress));
-  ASSIGN_OR_RETURN(const ScanInfo scan, read_scan_folder(scan_folder(id)));
-  const auto file = MappedFile::open(scan_folder(id) / original_file_name(scan.format));
-  if (!file.is_ok()) return true;  // making them says why
-  if (may_have_pictures(file->bytes(), scan.format)) return true;
-  without_pictures_.add(id);
-  return false;
+  return !shows_no_picture(id);  // what cannot be read says why where it is made
 }
 
 Result<std::shared_ptr<const ScanSheets>> MeshStore::open_sheets(const std::string& id,

@@ -34,6 +34,14 @@ static std::vector<uint64_t> at_their_places(std::span<const Edit> edits,
   return entries;
 }
 
+/// Fails: failed_precondition if an edit wants to level seams of a scan without pictures.
+static Status check_pictures(const Edit& edit, MeshStore& store, const std::string& scan_id) {
+  const auto* texture = std::get_if<SetTexture>(&edit.change);
+  if (texture == nullptr || texture->filter.level_seams == 0 || !store.shows_no_picture(scan_id))
+    return Status::ok();
+  return failed_precondition("the scan has no pictures whose seams could be levelled");
+}
+
 /// Edits that take others back must work in a full history.
 static bool takes_back(const AuthoredEdit& edit) {
   const EditKind kind = kind_of(edit.edit);
@@ -102,6 +110,7 @@ Result<ApplyOutcome> SessionManager::submit_held(const std::shared_ptr<SessionEn
   for (const AuthoredEdit& edit : fresh) {
     Status status = layers.take(edit.edit);
     if (status.is_ok()) status = edited.check_new(edit.edit);
+    if (status.is_ok()) status = check_pictures(edit.edit, store_, entry.record.scan_id);
     RETURN_IF_ERROR(about_edit(status, edit.edit, edits.size()));
   }
   RETURN_IF_ERROR(check_history_room(options_.kept, growth_by(fresh, entry), shares_, caller));

@@ -103,6 +103,7 @@ Result<ExportSummary> SessionManager::solve_to_file(Held& held, const ExportWish
   metrics().observe(Measure::kResidual, report_of_solve.last.residual);
   const TriangleMesh mesh = held.entry->session->surface();
   const std::vector<TexelChange> texels = held.entry->session->texels();
+  const SeamLevelling seams = held.entry->session->seams();
   const std::optional<double> volume = held.entry->session->kept_volume();
   const Controls controls = held.entry->session->edited().controls();
   const std::shared_ptr<const SharedMesh> shared = held.entry->mesh;
@@ -110,8 +111,8 @@ Result<ExportSummary> SessionManager::solve_to_file(Held& held, const ExportWish
 
   if (!report(progress, "writing", 0)) return cancelled("the export was cancelled");
   ExportSummary summary;
-  const MovedMesh moved{shared->prepared->vertices, mesh, controls.cap, shared->prepared->colours,
-                        texels};
+  const MovedMesh moved{shared->prepared->vertices, mesh,   controls.cap,
+                        shared->prepared->colours,  texels, {seams.amount, seams.free}};
   RETURN_IF_ERROR(write_surface(store_, held.entry->record.scan_id, moved, wish.format, path,
                                 progress, summary));
   if (wish.deviation)

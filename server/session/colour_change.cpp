@@ -19,7 +19,7 @@ PointChange change_at(const ColourChange& change, const SparseGrid& grid, const 
 PointChange with_texture(const ColourChange& change, const SparseGrid& grid,
                          const EvaluationPoint& at, Rgba8 colour, const Vec3f& filtered) {
   const TextureChange& texture = change.texture;
-  if (at.cell == kNone || !texture.filter.is_on()) return {filtered, 1};
+  if (at.cell == kNone || !texture.filter.changes_colours()) return {filtered, 1};
   const float left = texture.held.empty() ? 1 : 1 - texture.held[at.cell];
   const auto gain = 1 + left * static_cast<float>(texture.filter.gain - 1);
   const auto removed = left * static_cast<float>(texture.filter.remove_light);

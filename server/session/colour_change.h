@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "common/edit/texture_filter.h"
 #include "common/evaluation/evaluation.h"
@@ -24,7 +25,13 @@ struct ColourChange {
   std::span<const float> share;    ///< per cell, of the last solve on triangles; empty before it
   TextureChange texture = {};
 
-  bool is_there() const { return !on_grid.empty() || texture.filter.is_on(); }
+  bool is_there() const { return !on_grid.empty() || texture.filter.changes_colours(); }
+};
+
+/// Says how much of the seams of a scan's pictures is levelled. Exports do it.
+struct SeamLevelling {
+  double amount = 0;        ///< 0 to 1
+  std::vector<float> free;  ///< per vertex, 0 to 1: how much of it may change; empty: all
 };
 
 /// The change at a point: of its colour, and how often texels around differ from it as much.

@@ -163,7 +163,7 @@ void ColourChannel::show_to_solver() {
 ColourChange ColourChannel::change() const {
   ColourChange change;
   if (!is_kept_ && solver_) change = {solver_->displacement(), fitted_, share_};
-  if (!texture_.is_on() || lacks_fit() || lacks_light()) return change;
+  if (!texture_.changes_colours() || lacks_fit() || lacks_light()) return change;
   change.fitted = fitted_;
   change.texture = {texture_, texture_.remove_light > 0 ? light_ : std::span<const CornerNumber>(),
                     hold_ ? hold_->weight : std::span<const float>()};
@@ -203,6 +203,18 @@ std::vector<TexelChange> ColourChannel::texels() const {
     texels[v] = texel_change(before[v], change.colour, change.gain);
   });
   return texels;
+}
+
+SeamLevelling ColourChannel::seams() const {
+  SeamLevelling seams{texture_.level_seams, {}};
+  if (seams.amount == 0 || !hold_) return seams;
+  const PreparedMesh& prepared = *on_.prepared;
+  seams.free.resize(prepared.vertices.size());
+  for (size_t v = 0; v < seams.free.size(); ++v) {
+    const int32_t cell = prepared.evaluation[v].cell;
+    seams.free[v] = cell == kNone ? 1 : 1 - hold_->weight[cell];
+  }
+  return seams;
 }
 
 uint64_t ColourChannel::byte_count() const {

@@ -42,11 +42,13 @@ class ColourChannel {
   std::vector<Rgba8> colours() const;
   /// Returns what the texels at the vertices do. Shapes: one per vertex; empty: none changes.
   std::vector<TexelChange> texels() const;
+  /// Returns how much of the seams is levelled: nothing of what is protected.
+  SeamLevelling seams() const;
 
   uint64_t byte_count() const;
 
  private:
-  bool lacks_fit() const { return texture_.is_on() && fitted_.empty(); }
+  bool lacks_fit() const { return texture_.changes_colours() && fitted_.empty(); }
   bool lacks_light() const { return texture_.remove_light > 0 && light_.empty(); }
   void fit();
   void want_filtered(const Fields& fields);

@@ -382,6 +382,10 @@ std::vector<TexelChange> Session::texels() const {
   return state_->colour.texels();
 }
 
+SeamLevelling Session::seams() const {
+  return state_->colour.seams();
+}
+
 const PreparedMesh& Session::prepared() const {
   return *state_->prepared;
 }

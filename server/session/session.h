@@ -112,6 +112,8 @@ class Session {
   /// Returns what the texels at the vertices of surface() do. Shapes: one per vertex; empty: none
   /// changes.
   std::vector<TexelChange> texels() const;
+  /// Returns how much of the seams of the scan's pictures is levelled.
+  SeamLevelling seams() const;
 
   const PreparedMesh& prepared() const;
   const Fields& fields() const { return edited().fields(); }

@@ -2,6 +2,7 @@
 
 #include "common/archive/archive.h"
 #include "tests/common/archive/packing.h"
+#include "tests/common/mesh/rewrite/photo_grid.h"
 #include "tests/common/mesh/rewrite/textured_grid.h"
 #include "tests/system/filter_command.h"
 
@@ -70,6 +71,31 @@ TEST_F(FilterTextures, APictureInsideAGlbChangesInIt) {
   const auto told = evened("scan.glb", "out.glb");
   EXPECT_EQ(told["pictures"]["changed"], 1);
   EXPECT_NE(content("out.glb"), content("scan.glb"));
+}
+
+TEST_F(FilterTextures, SeamsOfPhotosAreLevelledInThePictureAndTold) {
+  const PhotoGrid grid;
+  folder_.write("scan.obj", grid.obj());
+  folder_.write("skin.png", png_of(grid.picture()));
+  std::filesystem::create_directory(path("level"));
+  ASSERT_EQ(burnish({"filter", path("scan.obj"), path("level/scan.obj"), "--depth", "5",
+                     "--level-seams", "1"}),
+            0)
+      << output_;
+  EXPECT_THAT(output_, HasSubstr("seams of 9 charts levelled"));
+  EXPECT_EQ(content("level/scan.obj"), content("scan.obj"));
+  const Picture after = read_picture(as_bytes(content("level/skin.png")), "skin").value();
+  EXPECT_LE(grid.median_step(after), 0.3 * grid.median_step(grid.picture()));
+  ASSERT_EQ(burnish({"filter", path("scan.obj"), path("level.ply"), "--depth", "5", "--level-seams",
+                     "1"}),
+            0);
+  EXPECT_THAT(output_, HasSubstr("levelled seams"));
+}
+
+TEST_F(FilterTextures, SeamsOfAScanWithoutPicturesAreRefusedBeforeTheWork) {
+  folder_.write("bare.obj", "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nf 1 2 3\n");
+  EXPECT_NE(burnish({"filter", path("bare.obj"), path("out.obj"), "--level-seams", "1"}), 0);
+  EXPECT_THAT(output_, HasSubstr("no pictures whose seams could be levelled"));
 }
 
 }  // namespace

@@ -200,6 +200,8 @@ Result<FilteredFacts> filter_file(const FilterOptions& options, const std::vecto
   FilterChoice choice = options.filter;
   RETURN_IF_ERROR(propose(*prepared, printer.progress(), choice, run));
   RETURN_IF_ERROR(apply_edits(options, choice, edits, *session));
+  if (session->fields().texture().level_seams > 0)
+    RETURN_IF_ERROR(check_has_pictures(paths, formats.in));
   if (!options.fields_file.empty())
     RETURN_IF_ERROR(write_fields_file(*session, options.fields_file));
   ASSIGN_OR_RETURN(run.solve, session->solve(options.solve, printer.progress()));
@@ -208,10 +210,15 @@ Result<FilteredFacts> filter_file(const FilterOptions& options, const std::vecto
                    with_memory_for("the filtered surface",
                                    [&]() -> Result<TriangleMesh> { return session->surface(); }));
   const std::vector<TexelChange> texels = session->texels();
-  RETURN_IF_ERROR(
-      write_out(options, paths, formats,
-                {mesh.vertices, surface, session->edited().controls().cap, mesh.colours, texels},
-                printer.progress(), facts));
+  const SeamLevelling seams = session->seams();
+  RETURN_IF_ERROR(write_out(options, paths, formats,
+                            {mesh.vertices,
+                             surface,
+                             session->edited().controls().cap,
+                             mesh.colours,
+                             texels,
+                             {seams.amount, seams.free}},
+                            printer.progress(), facts));
   run.write_seconds = writing.seconds();
   run.volume = session->kept_volume();
   if (!paths.report.empty()) RETURN_IF_ERROR(write_filter_report(*session, run, paths.report));

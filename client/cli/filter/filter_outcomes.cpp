@@ -35,6 +35,12 @@ static void add_facts(const FilteredFacts& facts, ordered_json& json) {
   json["pictures"] = {{"edited", pictures.pictures}, {"changed", pictures.changed},
                       {"texels", pictures.texels},   {"shared_texels", pictures.shared_texels},
                       {"kept", pictures.kept},       {"notes", pictures.notes}};
+  if (const auto& seams = pictures.seams)
+    json["pictures"]["seams"] = {{"charts", seams->charts},
+                                 {"edges", seams->edges},
+                                 {"unknowns", seams->unknowns},
+                                 {"median_before", seams->median_before},
+                                 {"median_after", seams->median_after}};
 }
 
 static void add_failure(const Status& status, ordered_json& json) {

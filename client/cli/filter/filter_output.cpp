@@ -4,11 +4,19 @@
 #include "client/cli/filter/pack_output.h"
 #include "client/cli/warn_of_left_out.h"
 #include "common/base/atomic_file.h"
+#include "common/base/mapped_file.h"
 #include "common/bundle/place_mesh.h"
+#include "common/mesh/folder_files.h"
 #include "common/mesh/rewrite/left_out.h"
 #include "common/mesh/rewrite/rewrite.h"
+#include "common/mesh/shown_picture.h"
+#include "common/mesh/textured_surface.h"
 
 namespace burnish {
+
+static std::filesystem::path folder_of(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
 
 static OriginalFile original_of(const FilterPaths& paths, MeshFormat format) {
   return {paths.in, format, paths.in.string()};
@@ -35,6 +43,22 @@ Result<FilterFormats> check_filter_paths(const FilterOptions& options, const Fil
   return formats;
 }
 
+Status check_has_pictures(const FilterPaths& paths, MeshFormat format) {
+  const Status none =
+      failed_precondition(paths.in.string() + " has no pictures whose seams could be levelled");
+  if (format == MeshFormat::kStl || format == MeshFormat::kOff) return none;
+  const FolderFiles folder(folder_of(paths.in));
+  ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(paths.in));
+  const auto take = [&](const TexturedSurface& surface) {
+    for (uint32_t t = 0; t < surface.textures.triangles.size(); ++t)
+      if (shown_picture(surface.textures, t) != kNoTexture) return Status::ok();
+    return none;
+  };
+  MeshSurroundings beside;
+  if (format != MeshFormat::kZip) beside = {&folder, paths.in.filename().string(), {}};
+  return read_textured_surface(file.bytes(), format, paths.in.string(), take, beside);
+}
+
 Result<std::vector<std::string>> tell_left_out(const FilterPaths& paths, FilterFormats formats,
                                                const TriangleMesh& mesh) {
   ASSIGN_OR_RETURN(auto left_out,
@@ -52,9 +76,6 @@ static bool changes_pictures_beside(const FilterOptions& options, const FilterPa
   if (!is_one_mesh || paths.out_name == kStandardStream || !moved.colours().is_there())
     return false;
   std::error_code ignored;
-  const auto folder_of = [](const std::filesystem::path& file) {
-    return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-  };
   return options.force || formats.plan.way == WriteWay::kUnpack ||
          !std::filesystem::equivalent(folder_of(paths.in), folder_of(paths.out), ignored);
 }

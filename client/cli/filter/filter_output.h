@@ -22,6 +22,9 @@ struct FilterFormats {
 /// without --force); already_exists (a file beside OUT, without --force); as OUT cannot be written.
 Result<FilterFormats> check_filter_paths(const FilterOptions& options, const FilterPaths& paths);
 
+/// Fails: failed_precondition if IN shows no picture; as read_textured_surface().
+Status check_has_pictures(const FilterPaths& paths, MeshFormat format);
+
 /// Returns the attributes of IN that OUT will not have, and warns of them on stderr. `mesh` is IN.
 Result<std::vector<std::string>> tell_left_out(const FilterPaths& paths, FilterFormats formats,
                                                const TriangleMesh& mesh);

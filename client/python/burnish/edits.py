@@ -237,17 +237,20 @@ class TextureFilter:
     """Changes the scan's colours and the texels of its pictures, without a solve.
 
     `gain`, 0 to 4: times how much they differ from what the grid knows of them. `remove_light`, 0 to
-    1: how much of the light goes that was there when they were taken.
+    1: how much of the light goes that was there when they were taken. `level_seams`, 0 to 1: how
+    much of the steps goes between charts of the pictures; exports have it, the view does not.
     """
 
     gain: float = 1.0
     remove_light: float = 0.0
+    level_seams: float = 0.0
 
     def __post_init__(self) -> None:
-        check_fields(self, gain=float, remove_light=float)
+        check_fields(self, gain=float, remove_light=float, level_seams=float)
 
     def to_wire(self) -> dict[str, Any]:
-        return {"texture": editing_pb2.TextureFilter(gain=self.gain, remove_light=self.remove_light)}
+        return {"texture": editing_pb2.TextureFilter(gain=self.gain, remove_light=self.remove_light,
+                                                     level_seams=self.level_seams)}
 
 
 @dataclasses.dataclass(frozen=True)

@@ -95,7 +95,7 @@ class State:
                    ColourFilter(colour.beta, colour.alpha) if message.HasField("colour")
                    else ColourFilter(1.0),
                    EdgeFilter.of(message.edges) if message.HasField("edges") else EdgeFilter(0.0),
-                   TextureFilter(texture.gain, texture.remove_light)
+                   TextureFilter(texture.gain, texture.remove_light, texture.level_seams)
                    if message.HasField("texture") else TextureFilter())
 
 

@@ -39,6 +39,8 @@ class Options:
     """Details of the colours, 0 to 4: below 1 fades, 1 keeps."""
     remove_light: float | None = None
     """How much of the light in the colours goes, 0 to 1."""
+    level_seams: float | None = None
+    """How much of the steps between photos goes, in the pictures of files, 0 to 1."""
     keep_edges: str | None = None
     """Takes noise away and keeps edges before beta smooths or sharpens: "machined", "scanner",
     "soft" or "relief", "auto", as the scan's own noise asks, or "off"."""
@@ -61,7 +63,7 @@ class Options:
     def __post_init__(self) -> None:
         check_fields(self, optional=True, beta=float, alpha=float, wavelength=float,
                      curve=TransferCurve, preset=str, strength=float, colour_beta=float,
-                     colour_alpha=float, texture_gain=float, remove_light=float, keep_edges=str,
+                     colour_alpha=float, texture_gain=float, remove_light=float, level_seams=float, keep_edges=str,
                      edge_strength=float, edge_angle=float, edge_passes=int, crispness=float, controls=Controls, depth=int, cycles=int)
         check_fields(self, exact=bool)
         check_all("Options: bands", self.bands, Band)
@@ -72,6 +74,7 @@ class Options:
                  "preset": self.preset, "strength": self.strength,
                  "colour-beta": self.colour_beta, "colour-alpha": self.colour_alpha,
                  "texture-gain": self.texture_gain, "remove-light": self.remove_light,
+                 "level-seams": self.level_seams,
                  "keep-edges": self.keep_edges, "edge-strength": self.edge_strength,
                  "edge-angle": self.edge_angle, "edge-passes": self.edge_passes,
                  "crispness": self.crispness,
@@ -103,6 +106,7 @@ class OptionWords(TypedDict, total=False):
     colour_alpha: float | None
     texture_gain: float | None
     remove_light: float | None
+    level_seams: float | None
     keep_edges: str | None
     edge_strength: float | None
     edge_angle: float | None

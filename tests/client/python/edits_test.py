@@ -158,6 +158,7 @@ class Edits(Sdk):
                 (burnish.Equaliser([burnish.Band(1, 11)]), ["gain", "11", "10"]),
                 (burnish.TextureFilter(gain=5), ["texture", "gain", "5", "4"]),
                 (burnish.TextureFilter(remove_light=2), ["light", "2", "1"]),
+                (burnish.TextureFilter(level_seams=2), ["seams", "2", "1"]),
                 (burnish.GrowProtected(65), ["65", "64"])):
             with self.subTest(words), self.assertRefused(burnish.InvalidArgument, *words):
                 self.session.apply(change)

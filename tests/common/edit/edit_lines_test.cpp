@@ -29,7 +29,7 @@ TEST(EditLines, EachKindThatAScriptSaysComesBackFromItsLine) {
                                "palette 0:5 ff0000 hard",
                                "colours 0.5 20",
                                "edges edges 0.5 20 3 0.25",
-                               "texture 2 0.5",
+                               "texture 2 0.5 0.25",
                                "undo",
                                "redo",
                                "switch 3 on",
@@ -52,6 +52,9 @@ TEST(EditLines, WhatAColourLineLeavesOutStays) {
   Settings now;
   now.colour.alpha = 33;
   EXPECT_EQ(line_of(*change_of("colours 0.5", now)), "colours 0.5 33");
+  now.texture = {1, 0.5, 1};
+  EXPECT_EQ(line_of(*change_of("texture 2", now)), "texture 2 0.5 1");
+  EXPECT_EQ(line_of(*change_of("texture 2 0", now)), "texture 2 0 1");
 }
 
 TEST(EditLines, AWholeLineIsAnEditOfTheScanOrSaysWhichAre) {

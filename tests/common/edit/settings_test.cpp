@@ -19,7 +19,7 @@ TEST(Settings, TheLastEditOfAKindCountsAndStrokesSetNothing) {
   settings.take(Change(SetPalette{{{{"letters", 0xd04040, TransferCurve(9)}}}}));
   settings.take(PreviewChange(SetColour{{.beta = 0.25}}));
   settings.take(Change(SetEdges{{.strength = 0.5}}));
-  settings.take(PreviewChange(SetTexture{{2, 0.5}}));
+  settings.take(PreviewChange(SetTexture{{2, 0.5, 0.25}}));
   const Settings all = settings;
   EXPECT_EQ(all, (Settings{0.5,
                            TransferCurve(8),
@@ -28,7 +28,7 @@ TEST(Settings, TheLastEditOfAKindCountsAndStrokesSetNothing) {
                            {{{"letters", 0xd04040, TransferCurve(9)}}},
                            {.beta = 0.25},
                            {.strength = 0.5},
-                           {2, 0.5}}));
+                           {2, 0.5, 0.25}}));
   for (const Change& change : {Change(Stroke{}), Change(Protect{}), Change(Undo{}),
                                Change(SetCheckpoint{"a"}), Change(RestoreCheckpoint{"a"})})
     settings.take(change);
@@ -43,7 +43,7 @@ Settings changed_settings() {
           {{{"letters", 0xd04040, TransferCurve(9)}}},
           {.beta = 0.25},
           {.strength = 0.5},
-          {2, 0.5}};
+          {2, 0.5, 0.25}};
 }
 
 TEST(Settings, TheirChangesMakeThem) {

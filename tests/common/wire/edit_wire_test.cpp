@@ -77,7 +77,7 @@ TEST(EditWire, EveryKindOfChangeComesBackUnchangedFromBytes) {
       {"v", Stroke{{0.5, 0.75, 2, FallOff::kSharp, 0, 0, true}, {Vec3d(1, 2, 3)}}},
       {"w", Stroke{{.radius = 0.5, .beta = 2, .connected = true}, {Vec3d(1, 2, 3)}}},
       {"x", SetEdges{{0.5, NormalFilterKind::kEdges, 40, 7, 0.25}}},
-      {"y", SetTexture{{0, 0.75}}},
+      {"y", SetTexture{{0, 0.75, 0.5}}},
       {"j", SetControls{{.pin_rims = true, .cap = 0.25, .keep_volume = true}}},
   };
   for (const Edit& edit : edits) {

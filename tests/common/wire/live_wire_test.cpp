@@ -77,7 +77,7 @@ TEST(LiveWire, EveryMessageOfTheClientComesBackUnchanged) {
   expect_unchanged<ClientMessage>(Preview{"p", SetEqualiser{{{{0.5, 2}}}}});
   expect_unchanged<ClientMessage>(Preview{"p", SetPalette{{{{"letters", 0xd04040, curve()}}}}});
   expect_unchanged<ClientMessage>(Preview{"p", SetColour{{7, 0.25}}});
-  expect_unchanged<ClientMessage>(Preview{"p", SetTexture{{2, 0.5}}});
+  expect_unchanged<ClientMessage>(Preview{"p", SetTexture{{2, 0.5, 0.25}}});
   expect_unchanged<ClientMessage>(Preview{"p", SetEdges{{0.5, NormalFilterKind::kEdges, 40, 7}}});
   expect_unchanged<ClientMessage>(Heartbeat{123456789});
   expect_unchanged<ClientMessage>(ShowPages{3, {7, 8}, {9}});
@@ -102,7 +102,7 @@ TEST(LiveWire, EveryMessageOfTheServerComesBackUnchanged) {
                                                 {{{"letters", 0xd04040, curve()}}},
                                                 {7, 0.25},
                                                 {0.5, NormalFilterKind::kEdges, 40, 7, 0.25},
-                                                {2, 0.5}}});
+                                                {2, 0.5, 0.25}}});
   expect_unchanged<ServerMessage>(people);
   expect_unchanged<ServerMessage>(Heartbeat{123456789});
   for (int code = 1; code <= static_cast<int>(FarewellCode::kNotOwner); ++code)

@@ -3,9 +3,11 @@
 
 #include "common/archive/archive.h"
 #include "common/generate/generate.h"
+#include "common/picture/picture.h"
 #include "server/journal/sqlite_journal.h"
 #include "server/manager/session_manager.h"
 #include "tests/common/archive/packing.h"
+#include "tests/common/mesh/rewrite/photo_grid.h"
 #include "tests/common/mesh/rewrite/textured_grid.h"
 #include "tests/server/manager/test_library.h"
 
@@ -30,6 +32,24 @@ std::string textured_sphere() {
     text += "f";
     for (const uint32_t v : triangle) text += " " + std::to_string(v + 1) + "/1";
     text += "\r\n";
+  }
+  return text;
+}
+
+/// A sphere with colours at its vertices.
+std::string coloured_sphere() {
+  const TriangleMesh sphere = make_icosphere(3, 1);
+  std::string text;
+  for (const Vec3d& p : sphere.vertices) {
+    text += "v";
+    for (const double x : p) text += " " + std::to_string(x);
+    for (const double x : p) text += " " + std::to_string(0.5 + 0.4 * x);
+    text += "\n";
+  }
+  for (const Triangle& triangle : sphere.triangles) {
+    text += "f";
+    for (const uint32_t v : triangle) text += " " + std::to_string(v + 1);
+    text += "\n";
   }
   return text;
 }
@@ -143,6 +163,42 @@ TEST_F(SessionExport, EditedColoursAreInThePicturesOfAnArchive) {
   EXPECT_THAT(after.value()->summary().left_out, IsEmpty());
   const auto alone = manager_->export_mesh("three", {MeshFormat::kObj, true}, {});
   EXPECT_THAT(alone.value()->summary().left_out, testing::Contains("edited colours"));
+}
+
+TEST_F(SessionExport, LevelledSeamsAreInThePicturesAndUndoGivesTheImportsBytes) {
+  const PhotoGrid grid;
+  const std::string archive = as_string(packed(
+      {{"scan.obj", grid.obj()}, {"skin.mtl", kSkinMtl}, {"skin.png", png_of(grid.picture())}}));
+  ASSERT_TRUE(library_.import(archive, "photos", {}, 5, MeshFormat::kZip).is_ok());
+  ASSERT_TRUE(manager_->open({"photos", "four", {5, 0}}, {}, {}).is_ok());
+  const std::vector<Edit> edits = {{"c", SetTexture{{1, 0, 1}}}};
+  ASSERT_TRUE(manager_->apply("four", {}, edits, {}).is_ok());
+  const ExportWish wish{MeshFormat::kZip, true};
+  const auto after = manager_->export_mesh("four", wish, {});
+  ASSERT_TRUE(after.is_ok()) << after.status().message();
+  EXPECT_THAT(after.value()->summary().pictures, HasSubstr("seams of 9 charts levelled"));
+  EXPECT_THAT(after.value()->summary().left_out, IsEmpty());
+  const std::string levelled = after.value()->read(0).value();
+  const Archive opened = std::move(Archive::open(as_bytes(levelled), "levelled")).value();
+  const Picture picture =
+      read_picture(opened.read(opened.find("skin.png").value()).value(), "skin").value();
+  EXPECT_LE(grid.median_step(picture), 0.3 * grid.median_step(grid.picture()));
+  const auto ply = manager_->export_mesh("four", {MeshFormat::kPly, false, 1}, {});
+  EXPECT_THAT(ply.value()->summary().left_out, testing::Contains("levelled seams"));
+  const std::vector<Edit> undo = {{"d", Undo{}}};
+  ASSERT_TRUE(manager_->apply("four", {}, undo, {}).is_ok());
+  EXPECT_EQ(manager_->export_mesh("four", wish, {}).value()->read(0).value(), archive);
+}
+
+TEST_F(SessionExport, SeamsOfAScanWithoutPicturesAreRefused) {
+  ASSERT_TRUE(library_.import(coloured_sphere(), "bare", {}, 5, MeshFormat::kObj).is_ok());
+  ASSERT_TRUE(manager_->open({"bare", "five", {5, 0}}, {}, {}).is_ok());
+  const std::vector<Edit> kept = {{"e", SetTexture{{2, 0.5}}}};
+  EXPECT_TRUE(manager_->apply("five", {}, kept, {}).is_ok());
+  const std::vector<Edit> levelled = {{"f", SetTexture{{1, 0, 1}}}};
+  const Status status = manager_->apply("five", {}, levelled, {}).status();
+  EXPECT_EQ(status.code(), StatusCode::kFailedPrecondition);
+  EXPECT_THAT(status.message(), HasSubstr("no pictures"));
 }
 
 TEST_F(SessionExport, AnyScanIsExportedAsAnArchive) {

@@ -185,6 +185,22 @@ TEST(Texture, IsKeptInTheProtectedRegion) {
   EXPECT_EQ(exact_surface(*session, {all, SetTexture{{3, 1}}}).colours, sphere.colours);
 }
 
+TEST(Texture, LevelSeamsChangeNoVertexAndSpareTheProtectedRegion) {
+  const TriangleMesh sphere = speckled_sphere();
+  const auto session = session_over(sphere, 4);
+  EXPECT_EQ(session->seams().amount, 0);
+  EXPECT_EQ(exact_surface(*session, {SetTexture{{1, 0, 0.5}}}).colours, sphere.colours);
+  EXPECT_TRUE(session->texels().empty());
+  EXPECT_EQ(session->seams().amount, 0.5);
+  EXPECT_TRUE(session->seams().free.empty());
+  Protect all;
+  all.way = PieceRegion{Vec3d(0, 0, 1)};
+  exact_surface(*session, {all});
+  EXPECT_EQ(session->seams().free, std::vector<float>(sphere.vertices.size(), 0));
+  exact_surface(*session, {Undo{}, Undo{}});
+  EXPECT_EQ(session->seams().amount, 0);
+}
+
 TEST(Texture, OfAScanWithoutColoursIsRefused) {
   const auto session = session_over(make_icosphere(3, 1));
   const Status refused = session->edited().check_new({"c", SetTexture{{2, 0}}});
@@ -197,6 +213,8 @@ TEST(Texture, AValueOutsideItsLimitsIsNamed) {
               HasSubstr("gain 4.5 is outside 0..4"));
   EXPECT_THAT(validate({"t", SetTexture{{1, -0.25}}}).message(),
               HasSubstr("removed light -0.25 is outside 0..1"));
+  EXPECT_THAT(validate({"t", SetTexture{{1, 0, 1.5}}}).message(),
+              HasSubstr("levelled seams 1.5 is outside 0..1"));
   EXPECT_FALSE(validate({"t", SetTexture{{std::nan(""), 0}}}).is_ok());
 }
 
