@@ -188,6 +188,8 @@ def try_pictures(vertices, table):
     process = ServerProcess("--log-level", "warn")
     try:
         table.add("textured", "colours in pictures", "right", pictures.check_scan(process.socket, vertices))
+        before, after = pictures.check_seams(process.socket)
+        table.add("textured", "level seams", "right", f"median step {before:.1f} to {after:.1f}")
     except (AssertionError, fronts.Refused, burnish.Error) as wrong:
         table.add("textured", "colours in pictures", "FAILED", str(wrong) or traceback.format_exc())
     finally:

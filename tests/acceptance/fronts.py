@@ -213,8 +213,8 @@ def _script_lines(settings):
         lines.append("bands " + " ".join(_bands(settings)))
     if "--colour-beta" in given:
         lines.append(f"colours {given['--colour-beta']} {given.get('--colour-alpha', '')}".rstrip())
-    if "--texture-gain" in given:
-        lines.append(f"texture {given['--texture-gain']} {given.get('--remove-light', '')}".rstrip())
+    if "--texture-gain" in given or "--level-seams" in given:
+        lines.append("texture " + " ".join(_texture(given)))
     for name, value in settings:
         if name == "--palette":
             lines.append("palette " + value.replace("\n", " ; "))
@@ -228,6 +228,10 @@ def _script_lines(settings):
         words = ("on" if of.pin_rims else "off", repr(of.cap), "on" if of.keep_volume else "off")
         lines.append("controls " + " ".join(words))
     return lines
+
+
+def _texture(given):
+    return given.get("--texture-gain", "1"), given.get("--remove-light", "0"), given.get("--level-seams", "0")
 
 
 def can_session(settings):
@@ -255,9 +259,8 @@ def _changes(settings):
         changes.append(burnish.Equaliser([burnish.Band(float(s), float(g)) for s, g in parts]))
     if "--colour-beta" in given:
         changes.append(burnish.ColourFilter(float(given["--colour-beta"])))
-    if "--texture-gain" in given:
-        changes.append(burnish.TextureFilter(float(given["--texture-gain"]),
-                                             float(given.get("--remove-light", 0))))
+    if "--texture-gain" in given or "--level-seams" in given:
+        changes.append(burnish.TextureFilter(*map(float, _texture(given))))
     makers = {"--palette": _palette, "--stroke": _stroke, "--protect": _region}
     for wanted, make in makers.items():
         changes += [make(value) for name, value in settings if name == wanted]

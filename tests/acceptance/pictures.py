@@ -15,6 +15,7 @@ SIDE = 256  # texels
 GUTTER = 4  # texels that the change goes on beyond the triangles
 SMOOTH = [("--colour-beta", "0"), ("--colour-alpha", "5")]
 STRONG = [("--texture-gain", "2"), ("--remove-light", "0.5")]
+LEVEL = [("--level-seams", "1")]
 
 
 def encoded(texels):
@@ -141,6 +142,66 @@ def _try_settings(scan, settings, gains, server):
         way(settings, exported)
         assert _entry(exported, "skin.png") == after, f"{way.__name__} differs from the filter"
     return told.strip().splitlines()[-1].split(", ")[-1]
+
+
+def check_seams(socket):
+    """Returns the median steps before and after. Raises AssertionError for what is not true."""
+    with tempfile.TemporaryDirectory(prefix="burnish-") as name:
+        folder = pathlib.Path(name)
+        scan, seam = make_photos(folder)
+        before = (folder / "skin.png").read_bytes()
+        packed, same = folder / "level.zip", folder / "photos.zip"
+        told = fronts.run("filter", scan, packed, *LEVEL[0])
+        assert "seams of 2 charts levelled" in told, told
+        after = _entry(packed, "skin.png")
+        steps = [_step(decoded(file), seam) for file in (before, after)]
+        assert steps[1] <= 0.3 * steps[0], f"the step went from {steps[0]:.1f} to {steps[1]:.1f}"
+        fronts.run("filter", scan, same, *LEVEL[0], "--edit", "texture 1 0 0")
+        assert _entry(same, "skin.png") == before, "seams that are kept changed the picture"
+        server = fronts.Server(socket, same)
+        for way in (server.by_commands, server.by_script):
+            exported = folder / f"{way.__name__}.zip"
+            way(LEVEL, exported)
+            assert _entry(exported, "skin.png") == after, f"{way.__name__} differs from the filter"
+        return steps
+
+
+def make_photos(folder):
+    """Writes a square of two charts from photos of different exposure, its material and picture.
+
+    Returns the OBJ's file, and the columns of texels at the seam: on the left, on the right.
+    """
+    side, half, margin = 16, SIDE // 2, 8
+    lines = ["mtllib skin.mtl", "usemtl skin"]
+    lines += [f"v {x} {y} {x * y % 3 / 9}" for y in range(side + 1) for x in range(side + 1)]
+    for chart in range(2):  # the right one lies on the left of the picture
+        for y in range(side + 1):
+            for x in range(side // 2 + 1):
+                u = (1 - chart) * half + margin + x / (side // 2) * (half - 2 * margin)
+                v = margin + y / side * (SIDE - 2 * margin)
+                lines.append(f"vt {u / SIDE!r} {1 - v / SIDE!r}")
+    def corner(x, y, chart):
+        place = chart * (side + 1) * (side // 2 + 1) + y * (side // 2 + 1) + x - chart * side // 2
+        return f"{y * (side + 1) + x + 1}/{place + 1}"
+    for y in range(side):
+        for x in range(side):
+            chart = int(x >= side // 2)
+            a, b, c, d = (corner(i, j, chart) for i, j in ((x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)))
+            lines += [f"f {a} {b} {c}", f"f {a} {c} {d}"]
+    texels = np.full((SIDE, SIDE, 3), 110, np.uint8)
+    texels[:, :half] = 140
+    texels += np.random.default_rng(1).integers(0, 9, (SIDE, SIDE, 1)).astype(np.uint8)
+    scan = folder / "scan.obj"
+    scan.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    (folder / "skin.mtl").write_text("newmtl skin\nmap_Kd skin.png\n", encoding="utf-8")
+    (folder / "skin.png").write_bytes(encoded(texels))
+    return scan, (SIDE - margin - 1, margin)
+
+
+def _step(texels, seam):
+    rows = texels[SIDE // 4:-SIDE // 4].astype(float).mean(2)
+    left, right = (rows[:, column] for column in seam)
+    return abs(np.median(left) - np.median(right))
 
 
 def _entry(archive, name):
