@@ -1,5 +1,7 @@
 """Burnish in Blender: a panel in the sidebar of the 3D view, tab Burnish."""
 
+import contextlib
+
 import bpy
 
 import burnish
@@ -11,15 +13,56 @@ bl_info = {"name": "Burnish", "author": "The Burnish authors", "version": (0, 1,
            "description": "Smooths and sharpens scans live"}
 SECONDS_BETWEEN_FRAMES = 0.05
 
+SLIDERS = "SLIDERS"
+
 links = {}
 """The live sessions, by the names of their objects."""
 
+choices = []
+"""The presets as Blender shows them; it needs the texts for as long as it shows them."""
 
-def show(settings, context):
-    """Shows what the sliders say; Blender calls this when one moves."""
-    link = links.get(context.object.name) if context.object else None
-    if link is not None:
-        link.show(settings.beta, settings.wavelength)
+
+def presets(settings=None, context=None):
+    """Returns the choices of presets: those of the window and the user's own, by the program burnish."""
+    if not choices:
+        choices.append((SLIDERS, "None", "As the sliders say"))
+        with contextlib.suppress(burnish.Error, OSError):
+            choices.extend((name, name, text) for name, text in burnish.presets().items())
+    return choices
+
+
+def changes_of(link, settings):
+    """Returns the edits that the sliders, or the preset, say."""
+    if settings.preset == SLIDERS:
+        return link.sliders(settings.beta, settings.wavelength)
+    return link.preset(settings.preset, settings.strength)
+
+
+def updater(work):
+    """Returns what Blender calls when a field has changed: `work` with the live session and the settings."""
+    def update(settings, context):
+        link = links.get(context.object.name) if context.object else None
+        if link is None:
+            return
+        try:
+            work(link, settings)
+        except (burnish.Error, ValueError, OSError) as error:  # nobody sees what a field's update raises
+            print(f"burnish: {error}")
+    return update
+
+
+def choose(link, settings):
+    """Applies a preset, as the window does."""
+    link.drop()
+    if settings.preset != SLIDERS:
+        link.keep(changes_of(link, settings))
+
+
+show_beta = updater(lambda link, settings: link.show(link.sliders(settings.beta, 0)[0]))
+show_wavelength = updater(lambda link, settings: link.show(link.sliders(0, settings.wavelength)[-1])
+                          if settings.wavelength > 0 else link.drop())
+show_strength = updater(lambda link, settings: link.show(
+    link.strength(settings.preset, settings.strength)) if settings.preset != SLIDERS else None)
 
 
 class Settings(bpy.types.PropertyGroup):
@@ -31,11 +74,17 @@ class Settings(bpy.types.PropertyGroup):
         "session": bpy.props.StringProperty(
             name="Session", description="A session to join, or the name of a new one"),
         "beta": bpy.props.FloatProperty(
-            name="Gradient scale", default=1, min=0, max=10, soft_max=4, update=show,
+            name="Gradient scale", default=1, min=0, max=10, soft_max=4, update=show_beta,
             description="Below 1 smooths, 1 keeps, above 1 sharpens"),
         "wavelength": bpy.props.FloatProperty(
-            name="Wavelength", default=0, min=0, update=show,
+            name="Wavelength", default=0, min=0, update=show_wavelength,
             description="At gradient scale 0 waves of this length are halved; 0: as the session has it"),
+        "preset": bpy.props.EnumProperty(
+            name="Preset", items=presets, update=updater(choose),
+            description="Sets the gradient scale, the curve and the bands, as in the window"),
+        "strength": bpy.props.FloatProperty(
+            name="Strength", default=1, min=0, max=1, subtype="FACTOR", update=show_strength,
+            description="How much of the preset"),
         "group": bpy.props.StringProperty(
             name="Vertex group", description="Where Paint edits, and how much"),
         "painted": bpy.props.FloatProperty(
@@ -86,10 +135,10 @@ class End(Step):
 
 class Keep(Step):
     bl_idname, bl_label = "burnish.keep", "Keep"
-    bl_description = "Apply what the sliders show as an edit of the session"
+    bl_description = "Apply what the preset or the sliders show as an edit of the session"
 
     def work(self, one, settings):
-        links[one.name].keep(settings.beta, settings.wavelength)
+        links[one.name].keep(changes_of(links[one.name], settings))
 
 
 class Paint(Step):
@@ -130,8 +179,9 @@ class Panel(bpy.types.Panel):
             layout.prop(settings, "session")
             layout.operator("burnish.begin")
             return
-        layout.prop(settings, "beta", slider=True)
-        layout.prop(settings, "wavelength")
+        layout.prop(settings, "preset")
+        for name in ("beta", "wavelength") if settings.preset == SLIDERS else ("strength",):
+            layout.prop(settings, name, slider=name != "wavelength")
         layout.operator("burnish.keep")
         layout.prop_search(settings, "group", context.object, "vertex_groups")
         layout.prop(settings, "painted", slider=True)

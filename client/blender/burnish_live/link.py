@@ -45,14 +45,16 @@ class Link:
         """`address`: HOST:PORT or unix:PATH; empty starts a server. `session`: one to join, or the name of a
         new one. Raises burnish.Error; ValueError if the session's scan is another mesh."""
         self._places = places_of(mesh_object.data)
-        self._name, self._gestures = mesh_object.name, {}
+        self._shown = None  # a gesture and its edit: the server shows one of a client
+        self._kept_for_next = []  # edits that were shown when another kind came
+        self._made_together = []  # how many entries each call has made
         with contextlib.ExitStack() as made:
             self.server = made.enter_context(
                 contextlib.closing(burnish.connect(address) if address else burnish.serve()))
             self.session = self._open(mesh_object, session)
             self.live = made.enter_context(self.session.live(vertices=self._places))
             scan = self.server.scan(self.session.scan_id)
-            self._prepared = scan.prepared(self.session.depth)
+            self.prepared = scan.prepared(self.session.depth)
             self._made = made.pop_all()
         self._key = shape_key_of(mesh_object)
 
@@ -73,47 +75,63 @@ class Link:
             self._write(mesh_object, frame.vertices)
         return frame is not None
 
-    def show(self, beta, wavelength):
-        """Lets everybody in the session see the edits; wavelength 0: as the session has it."""
-        for change in self._changes(beta, wavelength):
-            self._gesture(type(change)).show(change)
+    def sliders(self, beta, wavelength):
+        """Returns the edits of a gradient scale and a wavelength; 0: as the session has it."""
+        changes = [burnish.GradientScale(beta)]
+        if wavelength > 0:
+            changes.append(burnish.TransferCurve.constant(self.prepared.alpha_of(wavelength)))
+        return changes
 
-    def keep(self, beta, wavelength):
-        """Applies the edits."""
-        for change in self._changes(beta, wavelength):
-            self._gesture(type(change)).keep(change)
-        self._gestures.clear()
+    def preset(self, name, strength):
+        """Returns the edits of a preset, as the window makes them. Raises burnish.Error."""
+        curve, beta, bands = self.prepared.preset(name, strength)
+        return [curve, beta, *([bands] if bands.bands or self.session.state().bands else [])]
+
+    def strength(self, name, strength):
+        """Returns the edit that changes with a preset's strength while its curve stays."""
+        _, beta, bands = self.prepared.preset(name, strength)
+        return bands if bands.bands else beta
+
+    def show(self, change):
+        """Lets everybody in the session see an edit. One of another kind that was shown is kept first."""
+        if self._shown and type(self._shown[1]) is not type(change):
+            gesture, before = self._shown
+            gesture.keep(before)
+            self._kept_for_next.append(before)
+            self._made_together.append(1)
+            self._shown = None
+        gesture = self._shown[0] if self._shown else self.live.gesture()
+        gesture.show(change)
+        self._shown = gesture, change
+
+    def keep(self, changes):
+        """Applies the edits. One undo takes all back, but for what show() has kept."""
+        new = [change for change in changes if change not in self._kept_for_next]
+        if new:
+            self._made_together.append(len(self.session.apply(*new)))
+        self._kept_for_next.clear()
+        self.drop()
 
     def drop(self):
-        """Shows the session without the edits that were shown and not kept."""
-        for gesture in self._gestures.values():
-            gesture.drop()
-        self._gestures.clear()
+        """Shows the session without the edit that was shown and not kept."""
+        if self._shown:
+            self._shown[0].drop()
+        self._shown = None
 
     def paint(self, mesh_object, group, beta):
         """Applies a gradient scale to a vertex group: a weight of 1 is `beta`, vertices of 0 stay."""
         weights = weights_of(mesh_object, group)
         betas = np.where(weights > 0, 1 + weights * (beta - 1), np.nan)
-        self.live.apply(self.live.cell_fields(betas))
+        self._made_together.append(len(self.live.apply(self.live.cell_fields(betas))))
 
     def undo(self):
-        """Undoes the newest edit of this user."""
-        self.session.undo()
+        """Undoes the newest edit of this user, with those that were made together with it."""
+        for _ in range(self._made_together.pop() if self._made_together else 1):
+            self.session.undo()
 
     def finish(self, mesh_object):
         """Solves to the accuracy of final results, and puts all digits into the shape key."""
         self._write(mesh_object, self.session.mesh(exact=True).vertices)
-
-    def _changes(self, beta, wavelength):
-        changes = [burnish.GradientScale(beta)]
-        if wavelength > 0:
-            changes.append(burnish.TransferCurve.constant(self._prepared.alpha_of(wavelength)))
-        return changes
-
-    def _gesture(self, kind):
-        if kind not in self._gestures:
-            self._gestures[kind] = self.live.gesture()
-        return self._gestures[kind]
 
     def _write(self, mesh_object, vertices):
         shape_key_of(mesh_object).data.foreach_set("co", np.float32(vertices).ravel())

@@ -10,8 +10,9 @@ import numpy.typing as npt
 
 from burnish.v1 import common_pb2, library_pb2
 
-from .edits import EdgeFilter
+from .edits import EdgeFilter, Equaliser, GradientScale, TransferCurve
 from .files import FORMAT_NAMES
+from .presets import preset_changes
 
 if TYPE_CHECKING:
     from ._calls import Calls
@@ -86,6 +87,14 @@ class Prepared:
     def alpha_of(self, wavelength: float) -> float:
         """Returns the alpha at which a wave of this length is halved by beta 0. The scan's units."""
         return 2 * np.pi * self.length_unit / wavelength
+
+    def preset(self, name: str,
+               strength: float = 1.0) -> tuple[TransferCurve, GradientScale, Equaliser]:
+        """Returns the edits that a preset of the program `burnish` is here; `strength`: 0 to 1.
+
+        The equaliser has no bands where the preset has none. Raises NotFound, InvalidArgument.
+        """
+        return preset_changes(name, strength, self.length_unit, self.cell_size)
 
 
 class Scan:

@@ -22,9 +22,8 @@ from .history import Deviation, Entry, Exported, State
 from .live import Live
 from .mesh import Mesh, load_ply
 from .people import People, role_of
-from .presets import preset_changes
 from .progress import Progress, whole
-from .scan import EdgeProposal, prepared_of, propose_edges
+from .scan import EdgeProposal, Prepared, prepared_of, propose_edges
 
 EDITS_MAX = 64
 LINES = tuple[list[npt.NDArray[np.float64]], list[npt.NDArray[np.float64]]]
@@ -93,22 +92,19 @@ class Session:
 
     def set_wavelength(self, wavelength: float) -> int:
         """Sets the fidelity as a length in the scan's units: beta 0 halves waves of this length."""
-        described = self._calls.ask(self._calls.library.DescribeScan,
-                                    library_pb2.DescribeScanRequest(scan=self.scan_id,
-                                                                    depth=self.depth))
-        return self.set_alpha(prepared_of(described.prepared).alpha_of(wavelength))
+        return self.set_alpha(self._prepared().alpha_of(wavelength))
 
     def set_preset(self, name: str, strength: float = 1.0) -> list[int]:
         """Sets beta, the fidelity and the bands as a preset of the program `burnish` does.
 
         `strength`: how much of it, 0 to 1. `presets()` has the names. Raises NotFound.
         """
-        described = self._calls.ask(self._calls.library.DescribeScan,
-                                    library_pb2.DescribeScanRequest(scan=self.scan_id,
-                                                                    depth=self.depth))
-        scan = prepared_of(described.prepared)
-        curve, beta, bands = preset_changes(name, strength, scan.length_unit, scan.cell_size)
+        curve, beta, bands = self._prepared().preset(name, strength)
         return self.apply(curve, beta, *([bands] if bands.bands or self.state().bands else []))
+
+    def _prepared(self) -> Prepared:
+        return prepared_of(self._calls.ask(self._calls.library.DescribeScan, (
+            library_pb2.DescribeScanRequest(scan=self.scan_id, depth=self.depth))).prepared)
 
     def propose_edges(self) -> EdgeProposal:
         """Has the server measure the scan's noise, and say how to keep edges. Changes nothing."""

@@ -63,6 +63,21 @@ bpy.ops.burnish.keep()
 facts["edits after keep"] = [entry.kind for entry in link.session.history()]
 wait_until(lambda: moved() > 0.005)
 
+facts["presets"] = [name for name, _, _ in burnish_live.presets()]
+count = len(facts["edits after keep"])
+settings.preset = "Reduce scanner noise"
+facts["edits of a preset"] = [entry.kind for entry in link.session.history()][count:]
+settings.strength = 0.25
+facts["edits while its strength moves"] = len(list(link.session.history())) - count
+bpy.ops.burnish.keep()
+state = link.session.state()
+curve, beta, _ = link.prepared.preset("Reduce scanner noise", 0.25)
+facts["preset at a strength"] = [state.beta == beta.beta, state.curve == curve]
+bpy.ops.burnish.undo()
+bpy.ops.burnish.undo()
+facts["beta after undo"] = link.session.state().beta
+settings.preset = burnish_live.SLIDERS
+
 settings.address, settings.session = link.server.calls.address, link.session.name
 twin = add_twin("twin", 1)
 bpy.ops.burnish.begin()
