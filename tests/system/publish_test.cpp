@@ -81,7 +81,7 @@ TEST_F(Publish, WritesAFolderWhoseIndexAddsUpToItsParts) {
   uint64_t sum = 0;
   for (const uint32_t length : lengths) sum += length;
   EXPECT_EQ(sum, fs::file_size(server.folder / ("site/" + parts["file"].get<std::string>())));
-  for (const char* file : {"index.html", "assets/page.js", "assets/core.wasm"})
+  for (const char* file : {"index.html", "assets/page.js", "assets/core.packed"})
     EXPECT_TRUE(fs::exists(server.folder / (std::string("site/") + file))) << file;
 }
 

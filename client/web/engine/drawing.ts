@@ -31,6 +31,15 @@ export function beginDrawing(start: StartMessage, memory: CoreMemory, onLost: ()
   return { core: start.core, imports: { gl: glImports(gl, memory) } };
 }
 
+/** Returns whether an engine is likely to draw with the card; the engine decides. */
+export function seemsToHaveCard(pictures: StartMessage["pictures"]): boolean {
+  if (pictures !== "best") return pictures === "card";
+  const gl = new OffscreenCanvas(1, 1).getContext("webgl2");
+  const seems = gl !== null && !kSoftware.test(rendererOf(gl));
+  gl?.getExtension("WEBGL_lose_context")?.loseContext();
+  return seems;
+}
+
 function rendererOf(gl: WebGL2RenderingContext): string {
   const name = gl.getExtension("WEBGL_debug_renderer_info")?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER;
   return String(gl.getParameter(name));

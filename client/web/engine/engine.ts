@@ -1,7 +1,8 @@
 // The engine's worker: hosts the core, which has the model, and gives it a canvas, sockets, files and time.
 
-import type { StartMessage, ToPage, ToWorker } from "../page/src/protocol";
+import type { CoreMessage, StartMessage, ToPage, ToWorker } from "../page/src/protocol";
 import { Calls } from "./calls";
+import { compileCore } from "./core_module";
 import type { CoreExports } from "./core_exports";
 import { beginDrawing } from "./drawing";
 import { Entries } from "./entries";
@@ -37,6 +38,9 @@ class Engine {
   private readonly canvas: OffscreenCanvas;
   /** Of the next picture: a canvas of another size is empty, so both come together. */
   private resized: ResizeMessage | null = null;
+  /** Takes the core from the page; null if the page could not have it. */
+  takeCore: (module: WebAssembly.Module | null) => void = () => {};
+  private readonly handed = new Promise<WebAssembly.Module | null>((resolve) => (this.takeCore = resolve));
   /** The last lines that the core wrote: a check that fails says why. */
   private readonly lines: string[] = [];
 
@@ -75,16 +79,18 @@ class Engine {
       host: { ...this.hostImports(), ...drawing.imports.host },
       wasi_snapshot_preview1: wasi(this.memory, (line) => this.write(line)),
     };
-    const instance = await instantiate(drawing.core, imports);
+    const handed = this.start.handedCore === drawing.core ? await this.handed : null;
+    const module = handed ?? (await compileCore(drawing.core));
+    const instance = await WebAssembly.instantiate(module, imports);
     const exports = instance.exports as unknown as CoreExports;
     this.memory.bind(exports);
     this.entries.bind(exports);
-    const { canvas: _canvas, core: _core, rasterCore: _raster, kept: _kept, publication: _files, ...rest } = this.start;
+    const { canvas: _canvas, core: _core, rasterCore: _raster, kept: _kept, publication: _files, handedCore: _handed, ...rest } = this.start;
     this.tell(rest);
     this.pictures.wake();
   }
 
-  hear(message: Exclude<ToWorker, StartMessage>): void {
+  hear(message: Exclude<ToWorker, StartMessage | CoreMessage>): void {
     if (message.kind === "connect") this.calls.setWho(message);
     if (message.kind === "visible") this.pictures.setVisible(message.is);
     if (message.kind === "kept") return this.store.fill({ [message.key]: message.text });
@@ -166,23 +172,13 @@ class Engine {
   }
 }
 
-/** Web servers that do not know the type of the file get it compiled once it is here. */
-async function instantiate(address: string, imports: WebAssembly.Imports): Promise<WebAssembly.Instance> {
-  const answer = await fetch(address);
-  if (!answer.ok) throw new Error(`${address}: the server answers ${answer.status}`);
-  const isKnown = answer.headers.get("Content-Type")?.startsWith("application/wasm");
-  const made = isKnown
-    ? await WebAssembly.instantiateStreaming(answer, imports)
-    : await WebAssembly.instantiate(await answer.arrayBuffer(), imports);
-  return made.instance;
-}
-
 let engine: Engine | null = null;
 // Messages that come before the core is there.
-const early: Exclude<ToWorker, StartMessage>[] = [];
+const early: Exclude<ToWorker, StartMessage | CoreMessage>[] = [];
 let isLoaded = false;
 
 scope.onmessage = ({ data }) => {
+  if (data.kind === "core") return engine?.takeCore(data.module);
   if (data.kind !== "start") return void (isLoaded ? engine?.hear(data) : early.push(data));
   const begun = (engine = new Engine(data));
   begun.load().then(

@@ -5,7 +5,7 @@ import { beforeEach, test } from "node:test";
 import { PublishedCalls } from "../../../client/web/engine/published/calls";
 import { makeFrame } from "../../../client/web/engine/published/frames";
 import { bytesField, fieldsOf, messagesOf, numbersOf } from "../../../client/web/engine/published/messages";
-import { NoRanges, Parts } from "../../../client/web/engine/published/parts";
+import { Parts, Useless } from "../../../client/web/engine/published/parts";
 import type { PublishedScan } from "../../../client/web/engine/published/scan";
 
 const kBase = "https://museum.example/finds/42/";
@@ -37,6 +37,9 @@ beforeEach(() => {
   });
 });
 
+/** Demands an error that no repetition cures. */
+const useless = (words: RegExp) => (error: unknown) => error instanceof Useless && words.test(error.message);
+
 const textOf = (bytes: Uint8Array) => new TextDecoder().decode(bytes);
 const never = new AbortController().signal;
 
@@ -56,6 +59,26 @@ test("APartWithoutBytesIsNotFetched", async () => {
   assert.deepEqual(ranges, []);
 });
 
+test("TheDirectoryAndTheCoarsestPagesComeBeforeTheyAreAskedFor", async () => {
+  const parts = await Parts.open(kBase, kCounts);
+  parts.comeEarly();
+  assert.equal(ranges.length, 2);
+  assert.equal(textOf(await parts.read([parts.block(0)])[0]!), "block");
+  assert.deepEqual((await Promise.all(parts.pages([2, 0], never))).map(textOf), ["page 2", "page 0"]);
+  assert.deepEqual(await parts.tile(0, "surface"), kTile);
+  assert.equal(ranges.length, 2);
+});
+
+test("WhatDidNotComeEarlyIsAskedForAgain", async () => {
+  const parts = await Parts.open(kBase, kCounts);
+  const good = answerRange;
+  answerRange = () => new Response("", { status: 503 });
+  parts.comeEarly();
+  await assert.rejects(parts.read([parts.block(0)])[0]!);
+  answerRange = good;
+  assert.equal(textOf(await parts.read([parts.block(0)])[0]!), "block");
+});
+
 test("SheetsAreFoundByPageAndHalving", async () => {
   const parts = await Parts.open(kBase, kCounts);
   const wanted = [parts.sheetBlock(0), parts.charts(1), parts.sheet(1, 1), parts.sheet(2, 0)];
@@ -65,7 +88,29 @@ test("SheetsAreFoundByPageAndHalving", async () => {
 test("AWebServerWithoutRangesIsToldInASentence", async () => {
   answerRange = () => new Response(kBytes);
   const parts = await Parts.open(kBase, kCounts);
-  await assert.rejects(parts.read([0])[0]!, (error) => error instanceof NoRanges && /does not send parts/.test(error.message));
+  await assert.rejects(parts.read([0])[0]!, useless(/does not send parts/));
+});
+
+test("AFileThatIsNotThereIsToldByItsNameAndTheAnswer", async () => {
+  answerRange = () => new Response("", { status: 404 });
+  const parts = await Parts.open(kBase, kCounts);
+  await assert.rejects(parts.read([0])[0]!, useless(/scan-1\.parts.*404.*Copy the whole folder/));
+});
+
+test("AFileThatIsCutOffIsToldByItsLength", async () => {
+  const headers = { "Content-Range": `bytes 0-4/${kBytes.length - 9}` };
+  const parts = await Parts.open(kBase, kCounts);
+  for (const status of [206, 416]) {
+    answerRange = () => new Response(kBytes.slice(0, 5), { status, headers });
+    const words = new RegExp(`scan-1\\.parts has ${kBytes.length - 9} bytes, not ${kBytes.length}`);
+    await assert.rejects(parts.read([0])[0]!, useless(words));
+  }
+});
+
+test("ABusyWebServerIsAskedAgain", async () => {
+  answerRange = () => new Response("", { status: 503 });
+  const parts = await Parts.open(kBase, kCounts);
+  await assert.rejects(parts.read([0])[0]!, (error) => !(error instanceof Useless) && /503/.test(String(error)));
 });
 
 test("APartThatIsCutShortIsAnError", async () => {
@@ -75,7 +120,7 @@ test("APartThatIsCutShortIsAnError", async () => {
 });
 
 test("AnIndexOfAnotherPublicationIsRefused", async () => {
-  await assert.rejects(Parts.open(kBase, { ...kCounts, pages: 4 }), /has 23 parts, not 30/);
+  await assert.rejects(Parts.open(kBase, { ...kCounts, pages: 4 }), useless(/scan-1\.index has 92 bytes, not 120/));
 });
 
 /** Returns the body of a frame whose blocks are not compressed. */

@@ -3,7 +3,7 @@
 import { Heard, type CallEvents, type Carrier } from "../heard";
 import type { FrameChecksum } from "./frames";
 import { fieldsOf, type Fields } from "./messages";
-import { NoRanges, Parts } from "./parts";
+import { Parts, Useless } from "./parts";
 import { fromBase64, type PublishedScan } from "./scan";
 import { PublishedStream, pagesOfRequest, sheetsOfRequest } from "./stream";
 
@@ -33,7 +33,7 @@ export interface PublicationStart {
 export class PublishedCalls implements Carrier {
   private readonly calls = new Map<number, PublishedCall>();
   private readonly heard: Heard;
-  private readonly parts: Promise<Parts>;
+  private opened: Promise<Parts> | null = null;
   private last = 0;
 
   /** `soon` runs work in a turn of its own. `onUseless` hears why the web server can never do. */
@@ -45,8 +45,7 @@ export class PublishedCalls implements Carrier {
     private readonly onUseless: (sentence: string) => void,
   ) {
     this.heard = new Heard(events, soon);
-    this.parts = Parts.open(publication.base, publication.scan.parts);
-    this.parts.catch(() => {}); // each call tells of a failure
+    this.parts().then((parts) => parts.comeEarly()).catch(() => {}); // each call tells of a failure
   }
 
   setWho(): void {}
@@ -88,8 +87,18 @@ export class PublishedCalls implements Carrier {
     this.heard.clear();
   }
 
+  /** Opens the parts. The next call tries again what failed. */
+  private parts(): Promise<Parts> {
+    const { base, scan } = this.publication;
+    this.opened ??= Parts.open(base, scan.parts).catch((error) => {
+      this.opened = null;
+      throw error;
+    });
+    return this.opened;
+  }
+
   private async converse(number: number, call: PublishedCall, message: Uint8Array): Promise<void> {
-    const parts = await this.parts;
+    const parts = await this.parts();
     call.stream ??= new PublishedStream(
       this.publication.scan,
       parts,
@@ -105,7 +114,7 @@ export class PublishedCalls implements Carrier {
     const isFetch = method === kFetchPages || method === kFetchSheets;
     if (isFetch) {
       const of = method === kFetchPages ? pagesOfRequest : sheetsOfRequest;
-      for (const part of of(request, await this.parts, abort.signal)) this.say(number, await part);
+      for (const part of of(request, await this.parts(), abort.signal)) this.say(number, await part);
     } else if (answer === undefined) {
       return this.finish(number, kUnimplemented, "a publication cannot do that");
     } else this.say(number, fromBase64(answer));
@@ -117,7 +126,7 @@ export class PublishedCalls implements Carrier {
   }
 
   private fail(number: number, error: unknown): void {
-    if (error instanceof NoRanges) this.onUseless(error.message);
+    if (error instanceof Useless) this.onUseless(error.message);
     this.finish(number, kUnavailable, error instanceof Error ? error.message : String(error));
   }
 

@@ -10,17 +10,16 @@ const kPartsPerPage = 1 + kTiles.length;
 /** Parts with less than this between them are fetched together. */
 const kGapBytesMax = 4096;
 const kRangeBytesMax = 1 << 19;
+const kEarlyBytesMax = 1 << 17;
 const kTilesKeptMax = 4096; // of pages that are not shown yet
 
-/** The web server sends whole files alone. Its text is for the user. */
-export class NoRanges extends Error {
-  constructor() {
-    super(
-      "This web server does not send parts of files (it answers 200 to a Range request), and the viewer needs them: " +
-        "use one that does, such as nginx, Apache or an object store.",
-    );
-  }
-}
+/** The folder or its web server can never do, however often it is tried. Its text is for the user. */
+export class Useless extends Error {}
+
+const kNoRanges =
+  "This web server does not send parts of files (it answers 200 to a Range request), and the viewer needs them: " +
+  "use one that does, such as nginx, Apache or an object store.";
+const kCopyAgain = "Copy the whole folder again, and scan.json last.";
 
 /** Parts that are fetched together. */
 interface Range {
@@ -29,8 +28,16 @@ interface Range {
   end: number;
 }
 
+/** Parts from `first` to before `end` that come before anybody asks for them. */
+interface Early {
+  first: number;
+  end: number;
+  bytes: Promise<Uint8Array>;
+}
+
 export class Parts {
   private readonly tiles = new Map<number, Promise<Uint8Array>>();
+  private early: Early[] = [];
 
   private constructor(
     private readonly file: string,
@@ -38,17 +45,37 @@ export class Parts {
     private readonly counts: PublishedScan["parts"],
   ) {}
 
-  /** `base`: the address of the folder. Fails: as the web server does; an index of another publication. */
+  /** `base`: the address of the folder. Fails: as the web server does; Useless for an index of another publication. */
   static async open(base: string, counts: PublishedScan["parts"]): Promise<Parts> {
     const answer = await fetch(new URL(counts.index, base));
-    if (!answer.ok) throw new Error(`${counts.index}: the web server answers ${answer.status}`);
-    const lengths = new Uint32Array(await answer.arrayBuffer());
+    if (!answer.ok) throw refusal(counts.index, answer.status);
+    const bytes = await answer.arrayBuffer();
     const sheets = counts.sheets_per_page > 0 ? counts.blocks + counts.pages * (1 + counts.sheets_per_page) : 0;
     const wanted = counts.blocks + kPartsPerPage * counts.pages + sheets;
-    if (lengths.length !== wanted) throw new Error(`${counts.index} has ${lengths.length} parts, not ${wanted}`);
+    checkSize(counts.index, bytes.byteLength, 4 * wanted);
+    const lengths = new Uint32Array(bytes);
     const places = new Float64Array(lengths.length + 1);
     lengths.forEach((length, part) => (places[part + 1] = places[part]! + length));
     return new Parts(new URL(counts.file, base).href, places, counts);
+  }
+
+  /** Begins to fetch what the first picture needs: the directory, and the coarsest pages, which are last. */
+  comeEarly(): void {
+    const { blocks, pages } = this.counts;
+    const end = this.page(pages);
+    const bytesFrom = (page: number) => this.places[end]! - this.places[this.page(page)]!;
+    let page = pages;
+    while (page > 0 && bytesFrom(page - 1) <= kEarlyBytesMax) --page;
+    if (this.places[blocks]! <= kEarlyBytesMax) this.begin(0, blocks);
+    this.begin(this.page(page), end);
+  }
+
+  private begin(first: number, end: number): void {
+    const range = { begin: this.places[first]!, end: this.places[end]! };
+    if (range.begin === range.end) return;
+    const early = { first, end, bytes: quiet(this.fetchRange(range)) };
+    this.early.push(early);
+    early.bytes.catch(() => (this.early = this.early.filter((one) => one !== early))); // the next reader asks again
   }
 
   // The order of client/publish/page_parts.h.
@@ -81,10 +108,15 @@ export class Parts {
   read(parts: number[], signal?: AbortSignal): Promise<Uint8Array>[] {
     const empty = Promise.resolve(new Uint8Array());
     const found = new Map<number, Promise<Uint8Array>>();
-    for (const range of this.rangesOf(parts)) {
+    const take = (part: number, begin: number, bytes: Promise<Uint8Array>) =>
+      found.set(part, quiet(bytes.then((all) => all.subarray(this.places[part]! - begin, this.places[part + 1]! - begin))));
+    for (const part of parts) {
+      const early = this.early.find(({ first, end }) => first <= part && part < end);
+      if (early) take(part, this.places[early.first]!, early.bytes);
+    }
+    for (const range of this.rangesOf(parts.filter((part) => !found.has(part)))) {
       const bytes = quiet(this.fetchRange(range, signal));
-      for (const part of range.parts)
-        found.set(part, quiet(bytes.then((all) => all.subarray(this.places[part]! - range.begin, this.places[part + 1]! - range.begin))));
+      for (const part of range.parts) take(part, range.begin, bytes);
     }
     return parts.map((part) => found.get(part) ?? empty);
   }
@@ -112,13 +144,32 @@ export class Parts {
     return ranges;
   }
 
-  private async fetchRange({ begin, end }: Range, signal?: AbortSignal): Promise<Uint8Array> {
+  private async fetchRange({ begin, end }: Pick<Range, "begin" | "end">, signal?: AbortSignal): Promise<Uint8Array> {
     const answer = await fetch(this.file, { headers: { Range: `bytes=${begin}-${end - 1}` }, signal: signal ?? null });
+    this.checkWhole(answer.headers.get("Content-Range"));
     if (answer.status === 206) return whole(new Uint8Array(await answer.arrayBuffer()), end - begin);
     await answer.body?.cancel();
-    if (answer.status === 200) throw new NoRanges();
-    throw new Error(`the web server answers ${answer.status} for a part of ${this.counts.file}`);
+    if (answer.status === 200) throw new Useless(kNoRanges);
+    throw refusal(this.counts.file, answer.status);
   }
+
+  /** A file that was cut off is told with the first of its parts. `range`: "bytes 0-9/200" or "bytes *\/200". */
+  private checkWhole(range: string | null): void {
+    const size = /^bytes .*\/(\d+)$/.exec(range ?? "")?.[1];
+    if (size !== undefined) checkSize(this.counts.file, Number(size), this.places.at(-1)!);
+  }
+}
+
+/** Says that a web server does not send a file. It may be busy or down, and then comes back. */
+function refusal(file: string, status: number): Error {
+  const comesBack = status >= 500 || status === 408 || status === 429;
+  if (comesBack) return new Error(`the web server answers ${status} for ${file}`);
+  return new Useless(`The web server does not send ${file}, which belongs to this page: it answers ${status}. ${kCopyAgain}`);
+}
+
+function checkSize(file: string, bytes: number, wanted: number): void {
+  if (bytes === wanted) return;
+  throw new Useless(`${file} has ${bytes} bytes, not ${wanted}: it is cut off, or of another publication. ${kCopyAgain}`);
 }
 
 /** Whoever waits for it hears of a failure; nobody has to wait. */

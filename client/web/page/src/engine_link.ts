@@ -25,6 +25,8 @@ export interface PageState {
 }
 
 const kRefusalsMax = 5;
+const kNoEngine =
+  "The engine did not load: the web server does not send assets/engine.js, or does not send it as JavaScript.";
 const kUser = "burnish.user";
 const kToken = "burnish.token";
 const kKept = "burnish.kept.";
@@ -34,6 +36,7 @@ const kLossesMax = 3; // of graphics contexts: then the card is left alone until
 export interface EngineParts {
   core: string;
   rasterCore: string;
+  handedCore: string;
   pictures: Pictures;
   publication: PublicationStart | null;
 }
@@ -53,6 +56,8 @@ export class EngineLink {
   constructor(
     private readonly makePort: () => EnginePort,
     private readonly parts: EngineParts,
+    /** That of `parts.handedCore`; null if the page could not have it. */
+    private readonly core?: Promise<WebAssembly.Module | null>,
   ) {
     this.wanted = parts.publication?.scan.record.session_id ?? "";
   }
@@ -71,7 +76,7 @@ export class EngineLink {
     this.port?.terminate();
     const port = this.makePort();
     port.onmessage = (event) => this.take(event.data);
-    port.onerror = (event) => this.stop(event.message || "the engine did not load");
+    port.onerror = (event) => this.stop(event.message || kNoEngine);
     this.port = port;
     const offscreen = canvas.transferControlToOffscreen();
     const size = { width, height, pixelRatio: devicePixelRatio };
@@ -80,6 +85,7 @@ export class EngineLink {
       { kind: "start", canvas: offscreen, ...size, address: location.origin, ...known, ...this.parts },
       [offscreen],
     );
+    void this.core?.then((module) => port.postMessage({ kind: "core", module }));
   }
 
   startAgain(): void {

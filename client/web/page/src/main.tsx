@@ -1,7 +1,8 @@
 // Starts the page with the engine's worker.
 
 import { render } from "preact";
-import type { PublicationStart } from "../../engine/published/calls";
+import { compileCore } from "../../engine/core_module";
+import { seemsToHaveCard } from "../../engine/drawing";
 import { readScan } from "../../engine/published/scan";
 import { EngineLink, type EnginePort } from "./engine_link";
 import { Page } from "./page";
@@ -19,14 +20,32 @@ const makeWorker = () => new Worker(address("engine"), { type: "module" }) as un
 const asked = new URLSearchParams(location.search).get("pictures");
 const pictures: Pictures = asked === "card" || asked === "processor" ? asked : "best";
 
-const linkTo = (publication: PublicationStart | null) =>
-  new EngineLink(makeWorker, { core: address("core"), rasterCore: address("rasterCore"), pictures, publication });
+const cores = { core: address("core"), rasterCore: address("rasterCore"), pictures };
 
-/** Shows the files beside this page. */
+/** Begins to load an engine now. Returns what hands it out first, and then others. */
+function earlyWorker(): () => EnginePort {
+  let early: EnginePort | null = makeWorker();
+  let failure: ErrorEvent | null = null;
+  early.onerror = (event) => (failure = event);
+  return () => {
+    const port = early ?? makeWorker();
+    if (early && failure) queueMicrotask(() => port.onerror?.(failure!));
+    early = null;
+    return port;
+  };
+}
+
+/** Shows the files beside this page. Each round trip counts, so engine and core come while scan.json does. */
 async function showPublication(base: string): Promise<void> {
+  const coming = readScan(base);
+  coming.catch(() => {}); // it is told below
+  const makePort = earlyWorker();
+  const handedCore = seemsToHaveCard(pictures) ? cores.core : cores.rasterCore;
+  const core = compileCore(handedCore).catch(() => null); // the engine tries again, and says why
   try {
-    const scan = await readScan(base);
-    render(<Viewer scan={scan} link={linkTo({ scan, base })} />, place);
+    const scan = await coming;
+    const link = new EngineLink(makePort, { ...cores, handedCore, publication: { scan, base } }, core);
+    render(<Viewer scan={scan} link={link} />, place);
   } catch (error) {
     render(<Useless reason={error instanceof Error ? error.message : String(error)} />, place);
   }
@@ -38,4 +57,4 @@ place.replaceChildren();
 const missing = missingParts();
 if (missing.length > 0) render(<Unsupported missing={missing} does={isPublication ? "show" : "edit"} />, place);
 else if (isPublication) void showPublication(address("scan"));
-else render(<Page link={linkTo(null)} />, place);
+else render(<Page link={new EngineLink(makeWorker, { ...cores, handedCore: "", publication: null })} />, place);

@@ -44,6 +44,8 @@ export interface StartMessage {
   /** Addresses of core.wasm, which draws with the graphics card, and core_raster.wasm, which needs none. */
   core: string;
   rasterCore: string;
+  /** The one of both that the page hands over by a CoreMessage; empty: neither. */
+  handedCore: string;
   /** Who draws. `best`: the card if there is one. */
   pictures: Pictures;
   /** The files that are shown where there is no server; null: the page's server. */
@@ -52,8 +54,15 @@ export interface StartMessage {
   kept: Record<string, string>;
 }
 
+/** Hands over a core that the page had while the engine's script came; null: the engine must fetch it. */
+export interface CoreMessage {
+  kind: "core";
+  module: WebAssembly.Module | null;
+}
+
 export type ToWorker =
   | StartMessage
+  | CoreMessage
   | PointerMessage
   /** Connects anew with another user or token. */
   | { kind: "connect"; user: string; token: string }

@@ -1,9 +1,13 @@
 // A publication in a browser, from a plain web server: it looks as the page does, and asks nobody else.
 
 import assert from "node:assert/strict";
+import { cpSync, existsSync, readdirSync, rmSync, truncateSync } from "node:fs";
+import { basename, join } from "node:path";
 import { after, before, test } from "node:test";
+import { hasFirefox } from "../browser";
 import { Lab, difference, until, type Pixels, type Visit } from "./lab";
 import { importLettered } from "./lettered";
+import { hasNginx, serveByNginx } from "./nginx";
 import { serve, stopServing } from "./web_server";
 
 const labs = { card: new Lab("card"), processor: new Lab("best", "plain") };
@@ -87,10 +91,61 @@ test("APublicationShowsTexelsEditedColoursAndGains", async () => {
   await looksAsThePage(lab, "painted");
 });
 
-test("AWebServerWithoutRangesIsToldInASentence", async () => {
-  await labs.card.ask("publish", "shown", "out");
-  const address = await serve(labs.card.path("out"), "whole");
-  await labs.card.visitAt(address, async (visit) => {
-    await visit.page.getByRole("alert").getByText(/does not send parts of files/).waitFor();
-  });
+test("NginxShowsAPublicationAsItComes", { skip: hasNginx ? false : "there is no nginx" }, async () => {
+  const nginx = await serveByNginx(await publishOnce());
+  await labs.card.visitAt(nginx.address, (visit) => visit.page.getByText("full detail").waitFor());
+  await nginx.stop();
 });
+
+test("FirefoxShowsAPublication", { skip: hasFirefox ? false : "there is no firefox-esr" }, async () => {
+  const lab = new Lab("best", "firefox");
+  const address = await serve(await publishOnce(), "ranges");
+  await lab.begin(address);
+  await lab.visitAt(address, (visit) => visit.page.getByText("full detail").waitFor(), {}, /style-src-elem/);
+  await lab.stop();
+});
+
+/** Publishes the session of the tablet, and returns the folder. Later calls return the same. */
+async function publishOnce(): Promise<string> {
+  const folder = labs.card.path("out");
+  if (!existsSync(folder)) await labs.card.ask("publish", "shown", "out");
+  return folder;
+}
+
+// What goes wrong on the way to a web server.
+
+/** Visits a publication that cannot be shown, and waits for the sentence that says why. */
+const isTold = (address: string, sentence: RegExp) =>
+  labs.card.visitAt(address, (visit) => visit.page.getByText(sentence).first().waitFor(), {}, /./);
+
+test("AWebServerWithoutRangesIsToldInASentence", async () =>
+  isTold(await serve(await publishOnce(), "whole"), /does not send parts of files/));
+
+test("AWebServerThatSendsScriptsAsTextIsToldInASentence", async () =>
+  isTold(await serve(await publishOnce(), "plain"), /must have assets\/page\.js.*send it as JavaScript/));
+
+test("APageThatIsOpenedFromTheDiskSaysThatItNeedsAWebServer", async () =>
+  isTold(`file://${await publishOnce()}/index.html`, /the\s+whole folder on a web server/));
+
+const kDamages: [what: string, file: RegExp, bytesLeft: number | null, sentence: RegExp][] = [
+  ["scan.json is missing", /^scan\.json$/, null, /has no scan\.json beside this page: it answers 404/],
+  ["scan.json is cut off", /^scan\.json$/, 100, /scan\.json beside this page is cut off/],
+  ["the index is missing", /\.index$/, null, /does not send scan-\w+\.index.*answers 404/],
+  ["the index is cut off", /\.index$/, 8, /scan-\w+\.index has 8 bytes, not \d+: it is cut off/],
+  ["the parts are missing", /\.parts$/, null, /does not send scan-\w+\.parts.*answers 404/],
+  ["the parts are cut off", /\.parts$/, 1000, /scan-\w+\.parts has 1000 bytes, not \d+: it is cut off/],
+  ["the engine is missing", /^engine\.js$/, null, /engine did not load.*assets\/engine\.js/],
+  ["the core is missing", /^core\.packed$/, null, /engine did not load: .*core\.packed.*404/],
+  ["the core is cut off", /^core\.packed$/, 1000, /engine did not load: .*core\.packed is damaged or cut off/],
+];
+
+for (const [what, file, bytesLeft, sentence] of kDamages)
+  test(`AVisitorIsToldInASentenceThat: ${what}`, async () => {
+    const folder = labs.card.path(`damaged-${file.source.replace(/\W/g, "")}-${bytesLeft}`);
+    cpSync(await publishOnce(), folder, { recursive: true });
+    const place = [folder, join(folder, "assets")].flatMap((one) => readdirSync(one).map((name) => join(one, name)));
+    const path = place.find((one) => file.test(basename(one)))!;
+    if (bytesLeft === null) rmSync(path);
+    else truncateSync(path, bytesLeft);
+    await isTold(await serve(folder, "ranges"), sentence);
+  });

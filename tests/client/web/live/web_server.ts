@@ -6,8 +6,8 @@ import { end } from "./lab";
 
 const servers: ChildProcess[] = [];
 
-/** Serves a folder, and returns its address. `kind`: whether the server sends parts of files. */
-export function serve(folder: string, kind: "ranges" | "whole"): Promise<string> {
+/** Serves a folder, and returns its address. `kind`: whether the server sends parts of files, and knows their types. */
+export function serve(folder: string, kind: "ranges" | "whole" | "plain"): Promise<string> {
   const program = join(process.env.BURNISH_LIVE_TESTS!, "web_server.py");
   const server = spawn("python3", [program, folder, kind], { stdio: ["ignore", "pipe", "inherit"] });
   servers.push(server);
