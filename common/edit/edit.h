@@ -30,15 +30,23 @@ struct SetTransferCurve {
   TransferCurve curve{kAlphaDefault};
 };
 
-/// Overrides single cells, as `--cell-field` reads them; other cells keep their fields.
+/// What an edit of single cells sets.
+enum class CellTarget {
+  kFields,      ///< α and β, over all paint
+  kEdges,       ///< paints the strength of kept edges
+  kProtection,  ///< whether the cell is in the protected region
+};
+
+/// Sets single cells, as `--cell-field` reads them; other cells keep what they have.
 struct SetCellFields {
   struct Cell {
     Vec3i cell;     ///< grid units
-    double alpha1;  ///< user units
-    double alpha2;  ///< user units
-    double beta;
+    double alpha1;  ///< user units; of kFields alone
+    double alpha2;  ///< user units; of kFields alone
+    double beta;    ///< of kEdges: the strength, 0 to 1; of kProtection: 1 or 0
   };
   std::vector<Cell> cells;
+  CellTarget target = CellTarget::kFields;
 };
 
 /// Sets the bounds on what all edits do. The last such edit counts.

@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "common/base/text.h"
+#include "common/edit/check_between.h"
 #include "common/edit/edit.h"
 
 namespace burnish {
@@ -38,18 +39,33 @@ std::string text_of(const TransferCurve& curve) {
   return "curve of " + count(points.size(), "point") + ", contrast " + number(curve.contrast());
 }
 
-Status check_cells(const SetCellFields& change) {
-  for (size_t i = 0; i < change.cells.size(); ++i) {
-    const auto& cell = change.cells[i];
-    const std::string where = "cell field " + std::to_string(i + 1);
-    RETURN_IF_ERROR(check_alpha(cell.alpha1).with_context(where + ": alpha1"));
-    RETURN_IF_ERROR(check_alpha(cell.alpha2).with_context(where + ": alpha2"));
-    RETURN_IF_ERROR(check_beta(cell.beta).with_context(where));
-    const double largest = std::max(cell.alpha1, cell.alpha2);
-    if (largest > kCurveContrastMax * std::min(cell.alpha1, cell.alpha2))
-      return invalid_argument(where + ": alpha1 and alpha2 differ by more than a factor of 1000");
-  }
+Status check_fields(const SetCellFields::Cell& cell) {
+  RETURN_IF_ERROR(check_alpha(cell.alpha1).with_context("alpha1"));
+  RETURN_IF_ERROR(check_alpha(cell.alpha2).with_context("alpha2"));
+  RETURN_IF_ERROR(check_beta(cell.beta));
+  const double largest = std::max(cell.alpha1, cell.alpha2);
+  if (largest > kCurveContrastMax * std::min(cell.alpha1, cell.alpha2))
+    return invalid_argument("alpha1 and alpha2 differ by more than a factor of 1000");
   return Status::ok();
+}
+
+Status check_cell(const SetCellFields::Cell& cell, CellTarget target) {
+  if (target == CellTarget::kFields) return check_fields(cell);
+  if (target == CellTarget::kEdges) return check_between("strength", cell.beta, 0, 1);
+  if (cell.beta == 0 || cell.beta == 1) return Status::ok();
+  return invalid_argument("protection " + number(cell.beta) + " is neither 0 nor 1");
+}
+
+Status check_cells(const SetCellFields& change) {
+  for (size_t i = 0; i < change.cells.size(); ++i)
+    RETURN_IF_ERROR(check_cell(change.cells[i], change.target)
+                        .with_context("cell field " + std::to_string(i + 1)));
+  return Status::ok();
+}
+
+const char* name_of(CellTarget target) {
+  if (target == CellTarget::kEdges) return "edges kept in ";
+  return target == CellTarget::kProtection ? "protection of " : "fields of ";
 }
 
 std::string setting_text(double beta) {
@@ -145,7 +161,7 @@ constexpr std::array<EditKindFacts, std::variant_size_v<Change>> kEditKinds = {
     facts<EditKind::kCellFields>(
         "cells", true, 4, [](const SetCellFields& change) { return check_cells(change); },
         [](const SetCellFields& change) {
-          return "fields of " + count(change.cells.size(), "cell");
+          return name_of(change.target) + count(change.cells.size(), "cell");
         },
         kNoSetting),
     facts<EditKind::kControls>(

@@ -344,6 +344,8 @@ Result<EdgeFilter> from_wire(const v1::EdgeFilter& message) {
 
 v1::SetCellFields to_wire(const SetCellFields& change, size_t first, size_t count) {
   v1::SetCellFields message;
+  if (change.target == CellTarget::kEdges) message.set_edges(true);
+  if (change.target == CellTarget::kProtection) message.set_protection(true);
   for (size_t n = first; n < first + count; ++n) {
     const SetCellFields::Cell& cell = change.cells[n];
     v1::CellField* entry = message.add_cells();
@@ -357,11 +359,20 @@ v1::SetCellFields to_wire(const SetCellFields& change, size_t first, size_t coun
   return message;
 }
 
+static CellTarget target_of(const v1::SetCellFields& message) {
+  if (message.edges()) return CellTarget::kEdges;
+  return message.protection() ? CellTarget::kProtection : CellTarget::kFields;
+}
+
 Status append_cells(const v1::SetCellFields& message, SetCellFields& change) {
   const size_t count = change.cells.size() + static_cast<size_t>(message.cells_size());
   if (count > kCellFieldsPerEditMax)
     return resource_exhausted("the edit sets " + std::to_string(count) + " cells, the limit is " +
                               std::to_string(kCellFieldsPerEditMax));
+  const CellTarget target = target_of(message);
+  if (!change.cells.empty() && change.target != target)
+    return invalid_argument("the parts of an edit of cells set different things");
+  change.target = target;
   for (const v1::CellField& entry : message.cells())
     change.cells.push_back(
         {Vec3i(entry.i(), entry.j(), entry.k()), entry.alpha1(), entry.alpha2(), entry.beta()});

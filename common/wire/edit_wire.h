@@ -57,7 +57,8 @@ v1::EdgeFilter to_wire(const EdgeFilter& filter);
 Result<EdgeFilter> from_wire(const v1::EdgeFilter& message);
 
 /// Appends the cells of a message, or of a part of an upload, to `change`.
-/// Fails: resource_exhausted above kCellFieldsPerEditMax.
+/// Fails: resource_exhausted above kCellFieldsPerEditMax; invalid_argument if they set different
+/// things.
 Status append_cells(const v1::SetCellFields& message, SetCellFields& change);
 
 /// Cells first..first+count of a change, for an upload in parts.

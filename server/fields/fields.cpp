@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "server/fields/cell_index.h"
+
 namespace burnish {
 
 // With fewer cells, one thread is done with β before others wake.
@@ -44,7 +46,7 @@ void Fields::set_gradient_scale(double beta) {
 Status Fields::override_cells(const SetCellFields& change) {
   std::vector<OwnFields> all = overrides_;
   for (const SetCellFields::Cell& cell : change.cells) {
-    ASSIGN_OR_RETURN(const int32_t index, index_of(cell.cell));
+    ASSIGN_OR_RETURN(const int32_t index, index_of_cell(prepared_, cell.cell));
     all.push_back({index, static_cast<float>(cell.alpha1), static_cast<float>(cell.alpha2),
                    static_cast<float>(cell.beta)});
   }

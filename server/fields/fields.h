@@ -46,6 +46,9 @@ class Fields {
   /// Paints dabs that are done. Leaves out the cells for which `is_spared` is true.
   void paint(const Brush& brush, const ConnectedDabs& dabs,
              const std::function<bool(int64_t)>& is_spared = {});
+  /// Paints the strength of kept edges in single cells, over earlier paint. Leaves out the cells
+  /// for which `is_spared` is true. Needs: a change of kEdges whose cells are active.
+  void paint(const SetCellFields& change, const std::function<bool(int64_t)>& is_spared = {});
   /// Returns the cells that these dabs may reach, and few others; rising.
   std::vector<int64_t> cells_near(const Brush& brush, std::span<const Vec3d> centres) const;
   /// Fails: invalid_argument that names the first cell that is not active; then nothing is changed.
@@ -123,8 +126,6 @@ class Fields {
   void update_blended_own() const;
   void blend_stretch(size_t stretch, std::vector<OwnFields>& blended) const;
   void make_blends_old();
-  /// Returns the index of an active cell. Fails: invalid_argument.
-  Result<int32_t> index_of(const Vec3i& cell) const;
 
   const PreparedMesh& prepared_;  // must outlive the fields
   Settings settings_;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/grid/morton.h"
+#include "server/fields/cell_index.h"
 #include "server/fields/fields.h"
 
 namespace burnish {
@@ -15,22 +16,9 @@ static std::string text_of(const Vec3i& cell) {
   return std::to_string(cell.x()) + " " + std::to_string(cell.y()) + " " + std::to_string(cell.z());
 }
 
-Result<int32_t> Fields::index_of(const Vec3i& cell) const {
-  const int side = prepared_.frame.cells_per_side();
-  if ((cell.array() < 0).any() || (cell.array() >= side).any())
-    return invalid_argument("cell " + text_of(cell) + " is outside the grid of 0.." +
-                            std::to_string(side - 1));
-  const MortonKey key = morton_key(cell);
-  const auto it = std::lower_bound(prepared_.cells.begin(), prepared_.cells.end(), key);
-  if (it == prepared_.cells.end() || *it != key)
-    return invalid_argument("cell " + text_of(cell) + " holds no surface at depth " +
-                            std::to_string(prepared_.frame.depth));
-  return static_cast<int32_t>(it - prepared_.cells.begin());
-}
-
 Status Fields::check(const SetCellFields& change) const {
   for (const SetCellFields::Cell& cell : change.cells)
-    RETURN_IF_ERROR(index_of(cell.cell).status());
+    RETURN_IF_ERROR(index_of_cell(prepared_, cell.cell).status());
   return Status::ok();
 }
 
@@ -40,7 +28,7 @@ Status Fields::check_new(const SetCellFields& change) const {
                             " cells, the limit is " + std::to_string(prepared_.cells.size()));
   std::vector<char> is_set(prepared_.cells.size());
   for (const SetCellFields::Cell& cell : change.cells) {
-    ASSIGN_OR_RETURN(const int32_t index, index_of(cell.cell));
+    ASSIGN_OR_RETURN(const int32_t index, index_of_cell(prepared_, cell.cell));
     if (std::exchange(is_set[index], 1) != 0)
       return invalid_argument("the edit sets cell " + text_of(cell.cell) + " twice");
   }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "common/grid/morton.h"
+#include "server/fields/cell_index.h"
 #include "server/fields/cells_in_box.h"
 #include "server/fields/fields.h"
 
@@ -80,6 +81,17 @@ void Fields::paint(const Brush& brush, const ConnectedDabs& dabs,
     blend(brush, c, dabs.left()[i], layer);
   }
   mark_painted(number);
+}
+
+void Fields::paint(const SetCellFields& change, const std::function<bool(int64_t)>& is_spared) {
+  PaintLayer& layer = make_layer(kEdgesLayer);
+  for (const SetCellFields::Cell& cell : change.cells) {
+    const int32_t c = index_of_cell(prepared_, cell.cell).value();
+    if (is_spared && is_spared(c)) continue;
+    may_have_paint_[c / kStretch] = 1;
+    layer.blend(c, 0, cell.beta);
+  }
+  mark_painted(kEdgesLayer);
 }
 
 /// Lets a painted curve cover those that rule a cell so far.

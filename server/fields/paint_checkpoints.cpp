@@ -32,6 +32,16 @@ uint64_t hash_of(const Stroke& stroke) {
                               XXH3_64bits(brush, sizeof brush));
 }
 
+uint64_t hash_of(const SetCellFields& cells) {
+  uint64_t hash = kEdgesLayer;
+  for (const SetCellFields::Cell& cell : cells.cells) {
+    const double values[] = {double(cell.cell.x()), double(cell.cell.y()), double(cell.cell.z()),
+                             cell.beta};
+    hash = XXH3_64bits_withSeed(values, sizeof values, hash);
+  }
+  return hash;
+}
+
 bool PaintCheckpoints::is_worth_keeping(uint64_t strokes, uint64_t newest) {
   const uint64_t distance = strokes < newest ? newest - strokes : strokes - newest;
   return strokes % std::max(uint64_t{1}, std::bit_floor(distance) / 2) == 0;

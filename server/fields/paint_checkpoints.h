@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "common/base/status.h"
-#include "common/edit/brush.h"
+#include "common/edit/edit.h"
 #include "server/fields/paint_layer.h"
 #include "server/prepare/prepared_mesh.h"
 
@@ -23,9 +23,11 @@ struct PaintCheckpoint {
 
 /// Returns the hash of no strokes.
 uint64_t begin_series(const PreparedMesh& prepared);
-/// Returns the hash of `series` and one more stroke. `stroke_hash` is hash_of(stroke).
+/// Returns the hash of `series` and one more stroke. `stroke_hash` is that of its content.
 uint64_t extend_series(uint64_t series, uint64_t stroke_hash);
 uint64_t hash_of(const Stroke& stroke);
+/// Returns the hash of cells that paint kept edges, which counts as a stroke.
+uint64_t hash_of(const SetCellFields& cells);
 
 /// Paint after some of a session's strokes, so that a replay begins near its end. Checkpoints are
 /// dense close to the newest stroke and thinner further back. They are only a shortcut: a replay

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "common/base/limits.h"
-#include "common/edit/brush.h"
+#include "common/edit/edit.h"
 
 namespace burnish {
 
@@ -37,6 +38,14 @@ inline size_t layer_of(const Brush& brush) {
   if (brush.curve > 0) return kFirstCurveLayer + static_cast<size_t>(brush.curve) - 1;
   if (brush.edges) return kEdgesLayer;
   return brush.colour ? kColourLayer : kBetaLayer;
+}
+
+/// Returns the layer that an edit paints, nothing if it paints none.
+inline std::optional<size_t> painted_layer(const Change& change) {
+  if (const auto* stroke = std::get_if<Stroke>(&change)) return layer_of(stroke->brush);
+  const auto* cells = std::get_if<SetCellFields>(&change);
+  const bool paints = cells && cells->target == CellTarget::kEdges && !cells->cells.empty();
+  return paints ? std::optional(kEdgesLayer) : std::nullopt;
 }
 
 /// Painted cells of all layers.

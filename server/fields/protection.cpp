@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "common/grid/sparse_grid.h"
+#include "server/fields/cell_index.h"
 #include "server/fields/cell_layers.h"
 #include "server/fields/lasso.h"
 
@@ -35,6 +36,12 @@ void Protection::apply(const Protect& change) {
       is_protected_[c] = change.release ? 0 : 1;
     }
   }
+}
+
+void Protection::apply(const SetCellFields& change) {
+  is_protected_.resize(prepared_.cells.size(), 0);
+  for (const SetCellFields::Cell& cell : change.cells)
+    is_protected_[index_of_cell(prepared_, cell.cell).value()] = cell.beta > 0;
 }
 
 // Shrinking is growing of all other cells.

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "common/edit/protect.h"
+#include "common/edit/edit.h"
 #include "server/prepare/prepared_mesh.h"
 
 namespace burnish {
@@ -17,6 +17,8 @@ class Protection {
   explicit Protection(const PreparedMesh& prepared) : prepared_(prepared) {}
 
   void apply(const Protect& change);
+  /// Needs: a change of kProtection whose cells are active.
+  void apply(const SetCellFields& change);
   void clear() { is_protected_.clear(); }
 
   /// Returns whether no change has been applied since clear().

@@ -23,9 +23,9 @@ void LayerNeed::add(std::span<const AuthoredEdit> edits) {
     edits_texture_ |= std::holds_alternative<SetTexture>(edit.edit.change);
     if (const auto* change = std::get_if<SetEdges>(&edit.edit.change))
       keeps_edges_ |= change->filter.is_on();
-    if (const auto* stroke = std::get_if<Stroke>(&edit.edit.change)) {
-      painted_.set(layer_of(stroke->brush));
-      keeps_edges_ |= stroke->brush.edges;
+    if (const auto layer = painted_layer(edit.edit.change)) {
+      painted_.set(*layer);
+      keeps_edges_ |= *layer == kEdgesLayer;
     }
   }
 }

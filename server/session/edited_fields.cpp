@@ -106,6 +106,11 @@ Status EditedFields::check_new(const Stroke& stroke) const {
   return failed_precondition("nothing painted: the region is protected");
 }
 
+static bool sets_cells(const Change& change, CellTarget target) {
+  const auto* cells = std::get_if<SetCellFields>(&change);
+  return cells && cells->target == target;
+}
+
 EditedFields::Counting EditedFields::counting() const {
   Counting counting;
   counting.settings.controls = born_with_;
@@ -114,13 +119,14 @@ EditedFields::Counting EditedFields::counting() const {
     if (!entry.enabled) continue;
     const Change& change = entry.made_by->edit.change;
     last[change.index()] = &change;
-    if (std::holds_alternative<Stroke>(change)) {
+    if (const auto layer = painted_layer(change)) {
       counting.strokes.push_back(&entry);
-      counting.paints_edges |= std::get<Stroke>(change).brush.edges;
+      counting.paints_edges |= *layer == kEdgesLayer;
       counting.protects_before.push_back(counting.protects.size());
     }
-    if (std::holds_alternative<SetCellFields>(change)) counting.cells.push_back(&entry);
-    if (std::holds_alternative<Protect>(change)) counting.protects.push_back(&entry);
+    if (sets_cells(change, CellTarget::kFields)) counting.cells.push_back(&entry);
+    if (std::holds_alternative<Protect>(change) || sets_cells(change, CellTarget::kProtection))
+      counting.protects.push_back(&entry);
   }
   for (const Change* change : last)
     if (change) counting.settings.take(*change);
@@ -160,7 +166,12 @@ void EditedFields::protect_by(std::span<const History::Entry* const> entries) {
     protects_applied_.clear();
   }
   for (const History::Entry* entry : entries.subspan(protects_applied_.size())) {
-    protection_.apply(std::get<Protect>(entry->made_by->edit.change));
+    const Change& change = entry->made_by->edit.change;
+    if (const auto* cells = std::get_if<SetCellFields>(&change)) {
+      protection_.apply(*cells);
+    } else {
+      protection_.apply(std::get<Protect>(change));
+    }
     protects_applied_.push_back(entry->number);
   }
 }
@@ -236,9 +247,9 @@ Status EditedFields::paint_strokes(const Counting& wanted, const std::vector<uin
   go_back_to_shared(series);
   for (size_t i = strokes_done_.size() - 1; i < wanted.strokes.size(); ++i) {
     protect_by(std::span(wanted.protects).first(wanted.protects_before[i]));
-    const auto& stroke = std::get<Stroke>(wanted.strokes[i]->made_by->edit.change);
+    const Change& change = wanted.strokes[i]->made_by->edit.change;
     const double done = double(i) / double(wanted.strokes.size());
-    RETURN_IF_ERROR(paint(stroke, series[i + 1], progress, done));
+    RETURN_IF_ERROR(paint(change, series[i + 1], progress, done));
     ++painted_strokes_;
     strokes_done_.push_back(series[i + 1]);
     keep_checkpoint(wanted.strokes.size());
@@ -264,6 +275,15 @@ void EditedFields::go_back_to_shared(const std::vector<uint64_t>& series) {
     return;
   }
   begun_.reset();
+}
+
+Status EditedFields::paint(const Change& change, uint64_t series, const Progress& progress,
+                           double done) {
+  if (const auto* stroke = std::get_if<Stroke>(&change))
+    return paint(*stroke, series, progress, done);
+  fields_.paint(std::get<SetCellFields>(change),
+                [&](int64_t cell) { return protection_.has(static_cast<size_t>(cell)); });
+  return Status::ok();
 }
 
 /// Paints the rest of the stroke outside of the protection, some cells between two calls of

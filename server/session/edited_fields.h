@@ -88,7 +88,7 @@ class EditedFields {
   uint64_t painted_strokes() const { return painted_strokes_; }
 
  private:
-  /// The entries that count, by their kind.
+  /// The entries that count, by what they change. Cells that paint kept edges are strokes.
   struct Counting {
     Settings settings;
     std::vector<const History::Entry*> protects;
@@ -121,6 +121,7 @@ class EditedFields {
   Status paint_strokes(const Counting& counting, const std::vector<uint64_t>& series,
                        const Progress& progress);
   void go_back_to_shared(const std::vector<uint64_t>& series);
+  Status paint(const Change& change, uint64_t series, const Progress& progress, double done);
   Status paint(const Stroke& stroke, uint64_t series, const Progress& progress, double done);
   void begin(const Stroke& stroke, uint64_t series);
   bool paint_on(const Brush& brush);

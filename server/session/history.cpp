@@ -112,10 +112,16 @@ Result<uint64_t> History::checkpoint(const std::string& name) const {
   return found->second.back();
 }
 
+/// Returns the hash of what the change paints; 0 if it paints nothing.
+static uint64_t paint_hash(const Change& change) {
+  if (!painted_layer(change)) return 0;
+  const auto* stroke = std::get_if<Stroke>(&change);
+  return stroke ? hash_of(*stroke) : hash_of(std::get<SetCellFields>(change));
+}
+
 uint64_t History::add_entry(Step& step) {
   const uint64_t number = size() + 1;
-  const auto* stroke = std::get_if<Stroke>(&step.edit->edit.change);
-  entries_.push_back({number, step.edit, true, stroke ? hash_of(*stroke) : 0});
+  entries_.push_back({number, step.edit, true, paint_hash(step.edit->edit.change)});
   Author& author = authors_[step.edit->author];
   author.enabled.insert(number);
   step.not_redoable = std::exchange(author.undone, {});

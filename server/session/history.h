@@ -25,7 +25,7 @@ class History {
     uint64_t number;  ///< of the edit that made it, from 1 over all edits of the session
     std::shared_ptr<const AuthoredEdit> made_by;
     bool enabled = true;       ///< also for a damaged one: undo would switch it off
-    uint64_t stroke_hash = 0;  ///< hash of a stroke's content, see paint_checkpoints.h
+    uint64_t stroke_hash = 0;  ///< hash of what it paints, see paint_checkpoints.h
 
     bool is_damaged() const { return kind_of(made_by->edit) == EditKind::kDamaged; }
     bool is_on() const { return enabled && !is_damaged(); }

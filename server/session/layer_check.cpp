@@ -1,5 +1,7 @@
 #include "server/session/layer_check.h"
 
+#include "server/fields/paint_layer.h"
+
 namespace burnish {
 
 Settings counting_beside_edges(Settings settings, bool edges_are_painted) {
@@ -40,8 +42,7 @@ Status LayerCheck::check(const Edit& edit, const LayerCheck& after) const {
 Status LayerCheck::take(const Edit& edit) {
   LayerCheck after = *this;
   after.settings_.take(edit.change);
-  const auto* stroke = std::get_if<Stroke>(&edit.change);
-  after.edges_are_painted_ |= stroke && stroke->brush.edges;
+  after.edges_are_painted_ |= painted_layer(edit.change) == kEdgesLayer;
   if (is_known_) RETURN_IF_ERROR(check(edit, after));
   after.is_known_ &= makes_fields(kind_of(edit));
   *this = std::move(after);

@@ -14,6 +14,9 @@ bl_info = {"name": "Burnish", "author": "The Burnish authors", "version": (0, 1,
 SECONDS_BETWEEN_FRAMES = 0.05
 
 SLIDERS = "SLIDERS"
+PAINTS = (("beta", "Gradient scale", "The painted scale where the weight is 1"),
+          ("edges", "Kept edges", "Takes noise and keeps edges, all of it where the weight is 1"),
+          ("protection", "Protection", "Nothing moves where the weight is half or more"))
 
 links = {}
 """The live sessions, by the names of their objects."""
@@ -85,6 +88,7 @@ class Settings(bpy.types.PropertyGroup):
         "strength": bpy.props.FloatProperty(
             name="Strength", default=1, min=0, max=1, subtype="FACTOR", update=show_strength,
             description="How much of the preset"),
+        "paints": bpy.props.EnumProperty(name="Paints", items=PAINTS, description="What Paint edits"),
         "group": bpy.props.StringProperty(
             name="Vertex group", description="Where Paint edits, and how much"),
         "painted": bpy.props.FloatProperty(
@@ -143,10 +147,10 @@ class Keep(Step):
 
 class Paint(Step):
     bl_idname, bl_label = "burnish.paint", "Paint"
-    bl_description = "Apply the painted scale to the vertex group"
+    bl_description = "Edit where the vertex group is, by its weights"
 
     def work(self, one, settings):
-        links[one.name].paint(one, settings.group, settings.painted)
+        links[one.name].paint(one, settings.group, settings.paints, settings.painted)
 
 
 class Undo(Step):
@@ -184,7 +188,9 @@ class Panel(bpy.types.Panel):
             layout.prop(settings, name, slider=name != "wavelength")
         layout.operator("burnish.keep")
         layout.prop_search(settings, "group", context.object, "vertex_groups")
-        layout.prop(settings, "painted", slider=True)
+        layout.prop(settings, "paints")
+        if settings.paints == "beta":
+            layout.prop(settings, "painted", slider=True)
         for name in ("paint", "undo", "finish", "end"):
             layout.operator(f"burnish.{name}")
 

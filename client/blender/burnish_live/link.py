@@ -118,11 +118,15 @@ class Link:
             self._shown[0].drop()
         self._shown = None
 
-    def paint(self, mesh_object, group, beta):
-        """Applies a gradient scale to a vertex group: a weight of 1 is `beta`, vertices of 0 stay."""
+    def paint(self, mesh_object, group, what, beta):
+        """Edits where a vertex group is; vertices of weight 0 stay. `what`: "beta", a weight of 1 is
+        `beta`; "edges", it takes all noise; "protection", half and more protects."""
         weights = weights_of(mesh_object, group)
-        betas = np.where(weights > 0, 1 + weights * (beta - 1), np.nan)
-        self._made_together.append(len(self.live.apply(self.live.cell_fields(betas))))
+        inside = np.where(weights > 0, weights, np.nan)
+        edits = {"beta": lambda: self.live.cell_fields(1 + inside * (beta - 1)),
+                 "edges": lambda: self.live.cell_edges(inside),
+                 "protection": lambda: self.live.cell_protection(inside)}
+        self._made_together.append(len(self.live.apply(edits[what]())))
 
     def undo(self):
         """Undoes the newest edit of this user, with those that were made together with it."""

@@ -15,7 +15,7 @@ from burnish.v1 import editing_pb2
 
 from ._arguments import with_change
 from ._calls import Calls
-from .cells import CellFields
+from .cells import CellEdges, CellFields, CellProtection
 from .edits import Change, rows
 from .errors import Error, FailedPrecondition
 from .frame import Frame
@@ -26,7 +26,7 @@ from .live_stream import HEARTBEAT_SECONDS
 from .mesh import Mesh
 from .progress import Progress
 from .surface import Surface, fetch_surface
-from .weights import cell_fields
+from .weights import Weighed
 
 TIMEOUT_SECONDS = 600.0
 
@@ -180,10 +180,24 @@ class Live:
         Raises ValueError for another shape; FailedPrecondition without alpha if the session's
         changes with curvature.
         """
-        surface = self._link.surface
-        alpha = self._constant_alpha() if alpha is None else alpha
-        return cell_fields(surface.rest, surface.faces, beta, alpha, surface.head.origin,
-                           surface.head.side / (1 << self._depth))
+        return self._weighed().fields(beta, self._constant_alpha() if alpha is None else alpha)
+
+    def cell_edges(self, strength: npt.ArrayLike) -> CellEdges:
+        """Returns an edit that paints how strongly edges are kept, by values per vertex.
+
+        `strength`: n numbers, 0 to keep noise and 1 to take it, in the order of the frames' vertices;
+        NaN leaves a cell as it is. Cells as in cell_fields(). Raises ValueError.
+        """
+        return self._weighed().edges(strength)
+
+    def cell_protection(self, weights: npt.ArrayLike) -> CellProtection:
+        """Returns an edit that protects cells by weights per vertex.
+
+        `weights`: n numbers, 0 to 1, or truth values, in the order of the frames' vertices. A cell
+        whose mean is half or more is protected, another one released; NaN leaves a cell as it is.
+        Cells as in cell_fields(). Raises ValueError.
+        """
+        return self._weighed().protection(weights)
 
     def frames(self, timeout: float = TIMEOUT_SECONDS) -> Iterator[Frame]:
         """Yields frames until the surface with all edits that were applied here is at rest."""
@@ -196,6 +210,11 @@ class Live:
             pass
         assert self._link.frame is not None
         return self._link.frame
+
+    def _weighed(self) -> Weighed:
+        surface = self._link.surface
+        return Weighed(surface.rest, surface.faces, surface.head.origin,
+                       surface.head.side / (1 << self._depth))
 
     def _constant_alpha(self) -> float:
         points = State.of(self._calls.ask(self._calls.editing.GetState, (

@@ -15,7 +15,7 @@ from burnish.v1 import common_pb2, editing_pb2, library_pb2
 from ._arguments import with_change
 from ._calls import Calls
 from ._channel import PathLike
-from .cells import CELL_VALUES, CellFields, cell_messages
+from .cells import CELL_VALUES, SingleCells, cell_messages
 from .edits import Change, GradientScale, TransferCurve, rows
 from .files import format_of, receive
 from .history import Deviation, Entry, Exported, State
@@ -66,7 +66,7 @@ class Session:
 
         They are on the server's disk when this returns. Raises Refused.
         """
-        cells = [change for change in changes if isinstance(change, CellFields)]
+        cells = [change for change in changes if isinstance(change, SingleCells)]
         if cells and len(changes) == 1:
             return self._upload(cells[0])
         return self._apply(*map(edit_of, changes))
@@ -75,8 +75,8 @@ class Session:
         request = editing_pb2.ApplyRequest(session=self.id, edits=edits)
         return list(self._calls.ask(self._editing.Apply, request).entries)
 
-    def _upload(self, fields: CellFields) -> list[int]:
-        messages = list(cell_messages(fields, self.id, secrets.token_hex(10)))
+    def _upload(self, edit: SingleCells) -> list[int]:
+        messages = list(cell_messages(edit, self.id, secrets.token_hex(10)))
 
         def send() -> Any:
             return self._calls.ask_once(self._editing.UploadCellFields, iter(messages))

@@ -1,32 +1,66 @@
-"""Values of vertices as fields of cells."""
+"""Values of vertices as edits of cells."""
 
 from __future__ import annotations
+
+import dataclasses
 
 import numpy as np
 import numpy.typing as npt
 
-from .cells import CellFields
+from .cells import CellEdges, CellFields, CellProtection
 
 SAMPLES_PER_CELL = 3
 SAMPLES_MAX = 64
 Floats = npt.NDArray[np.float64]
 
 
-def cell_fields(vertices: Floats, faces: npt.NDArray[np.int64], beta: npt.ArrayLike,
-                alpha: npt.ArrayLike, origin: Floats, cell_size: float) -> CellFields:
-    """See Live.cell_fields()."""
-    values = np.stack([_per_vertex(beta, len(vertices), "beta"),
-                       _per_vertex(alpha, len(vertices), "alpha")], axis=1)
-    faces = faces[np.isfinite(values[faces]).all(axis=(1, 2))]
-    if not len(faces):
-        raise ValueError("beta and alpha have no triangle without NaN: 1 at least")
-    places, samples = _sample(vertices, values, faces, cell_size)
-    cells, owner = _unique_rows(np.floor((places - origin) / cell_size).astype(np.int64))
-    counts = np.bincount(owner, minlength=len(cells))
-    sums = np.stack([np.bincount(owner, column, len(cells)) for column in samples.T], axis=1)
-    used = values[faces]  # rounding must not put a mean beyond them: 10 is the most of a beta
-    betas, alphas = np.clip(sums / counts[:, None], used.min(axis=(0, 1)), used.max(axis=(0, 1))).T
-    return CellFields(cells, alphas, alphas, betas)
+@dataclasses.dataclass(frozen=True)
+class Weighed:
+    """A surface on its grid: n vertices and m x 3 faces; the scan's units."""
+
+    vertices: Floats
+    faces: npt.NDArray[np.int64]
+    origin: Floats
+    cell_size: float
+
+    def fields(self, beta: npt.ArrayLike, alpha: npt.ArrayLike) -> CellFields:
+        """See Live.cell_fields()."""
+        cells, (betas, alphas) = self._means(beta=beta, alpha=alpha)
+        return CellFields(cells, alphas, alphas, betas)
+
+    def edges(self, strength: npt.ArrayLike) -> CellEdges:
+        """See Live.cell_edges()."""
+        return CellEdges(*self._weights(strength, "strength"))
+
+    def protection(self, weights: npt.ArrayLike) -> CellProtection:
+        """See Live.cell_protection()."""
+        cells, means = self._weights(weights, "weights")
+        return CellProtection(cells, means >= 0.5)
+
+    def _weights(self, weights: npt.ArrayLike,
+                 name: str) -> tuple[npt.NDArray[np.int64], Floats]:
+        values = _per_vertex(weights, len(self.vertices), name)
+        wrong = values[(values < 0) | (values > 1)]
+        if wrong.size:
+            raise ValueError(f"{name} has {wrong[0]:g}: each must be within 0 to 1, or NaN")
+        cells, (means,) = self._means(**{name: weights})
+        return cells, means
+
+    def _means(self, **of_vertices: npt.ArrayLike) -> tuple[npt.NDArray[np.int64], Floats]:
+        """Returns the cells of the surface, and a row of their means for each of the values."""
+        values = np.stack([_per_vertex(value, len(self.vertices), name)
+                           for name, value in of_vertices.items()], axis=1)
+        faces = self.faces[np.isfinite(values[self.faces]).all(axis=(1, 2))]
+        if not len(faces):
+            raise ValueError(f"{' and '.join(of_vertices)}: no triangle is without NaN, "
+                             "1 at least must be")
+        places, samples = _sample(self.vertices, values, faces, self.cell_size)
+        cells, owner = _unique_rows(np.floor((places - self.origin) / self.cell_size).astype(np.int64))
+        counts = np.bincount(owner, minlength=len(cells))
+        sums = np.stack([np.bincount(owner, column, len(cells)) for column in samples.T], axis=1)
+        used = values[faces]  # rounding must not put a mean beyond them: 10 is the most of a beta
+        means = np.clip(sums / counts[:, None], used.min(axis=(0, 1)), used.max(axis=(0, 1)))
+        return cells, means.T
 
 
 def _per_vertex(values: npt.ArrayLike, count: int, name: str) -> Floats:
@@ -43,12 +77,12 @@ def _sample(vertices: Floats, values: Floats, faces: npt.NDArray[np.int64],
     longest = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)
     wanted = np.ceil(longest * SAMPLES_PER_CELL / cell_size)
     parts = 2 ** np.ceil(np.log2(np.clip(wanted, 1, SAMPLES_MAX))).astype(int)
-    places, samples = [np.empty((0, 3))], [np.empty((0, 2))]
+    places, samples = [np.empty((0, 3))], [np.empty((0, values.shape[1]))]
     for count in np.unique(parts).tolist():
         weights = _inner_weights(count)
         chosen = parts == count
         places.append(np.einsum("sc,fcx->fsx", weights, corners[chosen]).reshape(-1, 3))
-        samples.append(np.einsum("sc,fcx->fsx", weights, values[faces[chosen]]).reshape(-1, 2))
+        samples.append(np.einsum("sc,fcx->fsx", weights, values[faces[chosen]]).reshape(-1, values.shape[1]))
     return np.concatenate(places), np.concatenate(samples)
 
 

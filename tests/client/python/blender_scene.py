@@ -103,6 +103,14 @@ settings.group, settings.painted = "top", 0
 bpy.ops.burnish.paint()
 wait_until(lambda: moved(top) > 0.005)
 facts["group"] = [moved(top), moved(np.flatnonzero(bumps[:, 2] < -0.5))]
+count = len(list(link.session.history()))
+for settings.paints in ("edges", "protection"):
+    bpy.ops.burnish.paint()
+facts["painted weights"] = [entry.summary.split(" in ")[0].split(" of ")[0]
+                            for entry in link.session.history()][count:]
+facts["protected"] = float(link.session.cells("protected").mean())
+for _ in range(2):
+    bpy.ops.burnish.undo()
 settings.group = "none"
 try:
     bpy.ops.burnish.paint()

@@ -129,7 +129,7 @@ class LiveSessions(Sdk):
         self.assertLess(moves[vertices[:, 2] < -4].max(), moves[vertices[:, 2] > 2].max() / 8)
         whole = live.cell_fields(np.ones(len(vertices)), 50)
         self.assertGreater(len(whole.cells), 0.9 * len(set_cells))
-        with self.assertRaisesRegex(ValueError, "no triangle without NaN"):
+        with self.assertRaisesRegex(ValueError, "no triangle is without NaN"):
             live.cell_fields(np.nan, 50)
         session.set_alpha(20)
         self.assertEqual(set(live.cell_fields(0.1).alpha1), {20})
@@ -139,6 +139,46 @@ class LiveSessions(Sdk):
             live.cell_fields(0.5)
         with self.assertRaisesRegex(ValueError, r"beta.*\(3,\).*\(\d+,\)"):
             live.cell_fields([1, 2, 3], 50)
+
+    def test_weights_of_vertices_paint_kept_edges(self):
+        session = self.open()
+        vertices = self.mesh.vertices
+        live = self.join(session, vertices=vertices)
+        strengths = np.where(vertices[:, 2] > 0, 1, np.nan)
+        edit = live.cell_edges(strengths)
+        self.assertTrue((np.asarray(edit.strength) == 1).all())
+        for apply in (live.apply, session.apply):  # as one message, and as an upload
+            entry, = apply(edit)
+            moves = np.abs(live.settle().displacements).max(axis=1)
+            self.assertGreater(moves[vertices[:, 2] > 2].max(), 8 * moves[vertices[:, 2] < -2].max())
+            self.assertRegex(next(one.summary for one in session.history() if one.number == entry),
+                             r"^edges kept in \d+ cells$")
+            session.undo()
+            live.settle()
+        session.apply(burnish.Equaliser([burnish.Band(1, 2)]))
+        with self.assertRefused(burnish.FailedPrecondition, "bands", "kept edges"):
+            session.apply(edit)
+        with self.assertRaisesRegex(ValueError, r"strength has 1\.5: .*0 to 1"):
+            live.cell_edges(1.5)
+
+    def test_weights_of_vertices_protect_and_release(self):
+        session = self.open()
+        vertices = self.mesh.vertices
+        live = self.join(session, vertices=vertices)
+        live.apply(live.cell_protection(vertices[:, 2] > 0), burnish.GradientScale(0))
+        held = np.count_nonzero(session.cells("protected"))
+        self.assertLess(abs(2 * held / len(session.cells("protected")) - 1), 0.1)
+        moves = np.abs(live.settle().displacements).max(axis=1)
+        self.assertEqual(moves[vertices[:, 2] > 2].max(), 0)
+        self.assertGreater(moves[vertices[:, 2] < -2].max(), self.cell_size / 8)
+        session.apply(live.cell_protection(np.where(vertices[:, 2] > 4, 0.25, np.nan)))  # releases
+        self.assertLess(np.count_nonzero(session.cells("protected")), held)
+        session.apply(burnish.ClearProtected())
+        self.assertFalse(session.cells("protected").any())
+        session.undo()
+        self.assertTrue(session.cells("protected").any())
+        with self.assertRaisesRegex(ValueError, r"weights has -1: .*0 to 1"):
+            live.cell_protection(-1)
 
     def test_a_coarse_level_has_fewer_triangles(self):
         session = self.open()

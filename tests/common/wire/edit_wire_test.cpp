@@ -78,6 +78,8 @@ TEST(EditWire, EveryKindOfChangeComesBackUnchangedFromBytes) {
       {"w", Stroke{{.radius = 0.5, .beta = 2, .connected = true}, {Vec3d(1, 2, 3)}}},
       {"x", SetEdges{{0.5, NormalFilterKind::kEdges, 40, 7, 0.25}}},
       {"y", SetTexture{{0, 0.75, 0.5}}},
+      {"z", SetCellFields{{{Vec3i(1, 2, 3), 0, 0, 0.5}}, CellTarget::kEdges}},
+      {"0", SetCellFields{{{Vec3i(1, 2, 3), 0, 0, 1}}, CellTarget::kProtection}},
       {"j", SetControls{{.pin_rims = true, .cap = 0.25, .keep_volume = true}}},
   };
   for (const Edit& edit : edits) {
@@ -235,6 +237,17 @@ TEST(EditWire, CellFieldsAreCheckedOneByOne) {
   *message.mutable_cell_fields()->add_cells() = *cell;
   message.mutable_cell_fields()->mutable_cells(1)->set_alpha2(-1);
   EXPECT_THAT(refusal(message), HasSubstr("cell field 2: alpha2"));
+}
+
+TEST(EditWire, PartsOfAnUploadSetOneThing) {
+  const SetCellFields edges{{{Vec3i(1, 2, 3), 0, 0, 0.5}}, CellTarget::kEdges};
+  SetCellFields joined;
+  ASSERT_TRUE(append_cells(to_wire(edges, 0, 1), joined).is_ok());
+  ASSERT_TRUE(append_cells(to_wire(edges, 0, 1), joined).is_ok());
+  EXPECT_EQ(joined.target, CellTarget::kEdges);
+  EXPECT_EQ(joined.cells.size(), 2u);
+  const SetCellFields held{edges.cells, CellTarget::kProtection};
+  EXPECT_EQ(append_cells(to_wire(held, 0, 1), joined).code(), StatusCode::kInvalidArgument);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "common/generate/generate.h"
+#include "common/grid/morton.h"
 #include "server/prepare/prepare.h"
 
 namespace burnish {
@@ -202,6 +203,54 @@ TEST_F(EditedFieldsTest, ACancelledReplayChangesNothing) {
   EXPECT_EQ(outcome.status().code(), StatusCode::kCancelled);
   EXPECT_EQ(beta(edited), before);
   EXPECT_TRUE(edited.apply(batch).is_ok());
+}
+
+/// Returns an edit of all cells, or of each `step`-th.
+static SetCellFields cells_of(const PreparedMesh& prepared, CellTarget target, double value,
+                              size_t step = 1) {
+  SetCellFields change{{}, target};
+  for (size_t c = 0; c < prepared.cells.size(); c += step)
+    change.cells.push_back({morton_point(prepared.cells[c]), 0, 0, value});
+  return change;
+}
+
+static std::vector<float> strengths(const EditedFields& edited) {
+  const PaintLayer* const paint = edited.fields().edge_paint();
+  return paint ? paint->value : std::vector<float>();
+}
+
+TEST_F(EditedFieldsTest, CellsOfKeptEdgesAreAStrokeAmongStrokes) {
+  Stroke over = stroke(1);
+  over.brush.edges = true;
+  EditedFields edited(*prepared_), swapped(*prepared_);
+  const SetCellFields cells = cells_of(*prepared_, CellTarget::kEdges, 0.25);
+  ASSERT_TRUE(apply(edited, cells).is_ok());
+  EXPECT_EQ(strengths(edited), std::vector<float>(prepared_->cells.size(), 0.25f));
+  ASSERT_TRUE(apply(edited, over).is_ok());
+  EXPECT_NE(strengths(edited), std::vector<float>(prepared_->cells.size(), 0.25f));
+  EXPECT_EQ(beta(edited), beta(swapped));
+  ASSERT_TRUE(apply(swapped, over).is_ok());
+  ASSERT_TRUE(apply(swapped, cells).is_ok());
+  EXPECT_EQ(strengths(swapped), std::vector<float>(prepared_->cells.size(), 0.25f));
+  ASSERT_TRUE(apply(edited, SwitchEntry{1, false}).is_ok());
+  ASSERT_TRUE(apply(swapped, Undo{}).is_ok());
+  EXPECT_EQ(strengths(edited), strengths(swapped));
+}
+
+TEST_F(EditedFieldsTest, CellsOfAProtectionProtectAndReleaseInTheirOrder) {
+  EditedFields edited(*prepared_);
+  const size_t all = prepared_->cells.size();
+  ASSERT_TRUE(apply(edited, cells_of(*prepared_, CellTarget::kProtection, 1)).is_ok());
+  EXPECT_EQ(edited.protection().cells().size(), all);
+  ASSERT_TRUE(apply(edited, cells_of(*prepared_, CellTarget::kProtection, 0, 2)).is_ok());
+  EXPECT_EQ(edited.protection().cells().size(), all / 2);
+  ASSERT_TRUE(apply(edited, Protect{InvertedRegion{}}).is_ok());
+  EXPECT_EQ(edited.protection().cells().size(), all - all / 2);
+  EXPECT_TRUE(edited.protection().has(0));
+  ASSERT_TRUE(apply(edited, cells_of(*prepared_, CellTarget::kEdges, 1)).is_ok());
+  const PaintLayer& paint = *edited.fields().edge_paint();
+  EXPECT_EQ(paint.weight[0], 0);  // it is protected
+  EXPECT_EQ(paint.weight[1], 1);
 }
 
 TEST(PaintedBytes, DamageIsSeen) {
