@@ -3,9 +3,12 @@
 
 namespace burnish {
 
+// Prepares the scan before its session opens, so that users see the preparation and can cancel it.
 Result<OpenedDocument> open_document(std::shared_ptr<Connection> connection,
                                      const SessionWish& wish, const Progress& progress,
                                      std::atomic<bool>* is_open) {
+  connection->bring_back(progress);
+  RETURN_IF_ERROR(connection->prepare_scan(wish.scan, wish.key, progress).status());
   if (!report(progress, "opening the session", 0)) return cancelled("opening was cancelled");
   ASSIGN_OR_RETURN(const OpenedSession session, connection->open_session(wish));
   if (is_open) *is_open = true;

@@ -29,16 +29,17 @@ static RawScan raw_scan_of(const ScanInfo& scan, const PageHead& head) {
   return raw;
 }
 
-Result<RawScan> fetch_raw_scan(Connection& connection, const ScanInfo& scan,
+Result<RawScan> fetch_raw_scan(Connection& connection, const std::string& scan,
                                const std::function<bool()>& is_wanted) {
   const auto goes_on = [&](std::string_view, double) { return is_wanted(); };
-  ASSIGN_OR_RETURN(const PagesDescription described, connection.describe_pages(scan.id, goes_on));
+  ASSIGN_OR_RETURN(const ScanDescription whole, connection.describe_scan(scan, 0));
+  ASSIGN_OR_RETURN(const PagesDescription described, connection.describe_pages(scan, goes_on));
   ASSIGN_OR_RETURN(const PageHead head, decode_head(described.head));
   if (!is_wanted()) return cancelled("nobody waits for the pages any more");
   const PageRange level = coarse_level(head);
-  PagesWish wish{.scan = scan.id};
+  PagesWish wish{.scan = scan};
   for (PageId page = level.begin; page < level.end; ++page) wish.pages.push_back(page);
-  RawScan raw = raw_scan_of(scan, head);
+  RawScan raw = raw_scan_of(whole.scan, head);
   Status damage = Status::ok();
   const auto take_page = [&](PagePart part) {
     DecodedPage page = decode_in_scan({part.number, std::move(part.bytes)}, head);

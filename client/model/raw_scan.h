@@ -14,7 +14,6 @@
 #include "client/scene/page_space.h"
 #include "common/base/status.h"
 #include "common/mesh/statistics.h"
-#include "common/service/scan_info.h"
 
 namespace burnish {
 
@@ -44,10 +43,10 @@ bool can_be_raw(const std::filesystem::path& file);
 /// Fails: as read_mesh() does.
 Result<RawScan> read_raw_scan(const std::filesystem::path& file, uint64_t triangles_max);
 
-/// Fetches a coarse surface of a prepared scan: a level of its pages that one request brings.
+/// Fetches a coarse surface of a server's scan: a level of its pages that one request brings.
 /// `is_wanted` is asked between pages. Fails: as the server says; data_loss; cancelled if it is not
 /// wanted any more.
-Result<RawScan> fetch_raw_scan(Connection& connection, const ScanInfo& scan,
+Result<RawScan> fetch_raw_scan(Connection& connection, const std::string& scan,
                                const std::function<bool()>& is_wanted);
 
 /// Moves the pages into an empty renderer. Fails: as the renderer does.

@@ -51,10 +51,9 @@ enum class Opening {
   kAnew,  ///< a new session
 };
 
-/// A session that opens on a prepared scan.
-struct Prepared {
+/// A session that is being opened.
+struct Coming {
   SessionWish wish;
-  ScanInfo scan;
   std::atomic<bool> is_open{false};
 };
 
@@ -63,9 +62,6 @@ struct Prepared {
 /// from one thread.
 class Workspace {
  public:
-  /// Chooses a session on a thread of its own.
-  using Choice = std::function<Result<SessionWish>(Connection&)>;
-
   Workspace(PageRenderer& renderer, Preferences preferences, WorkspaceOptions options);
 
   Preferences preferences;
@@ -163,6 +159,8 @@ class Workspace {
   void start_activity(const std::string& title, Step step);
   void start_activity(const std::shared_ptr<Activity>& activity, Step step);
   void take_connection(Result<Connection> connection);
+  /// Chooses a session on a thread of its own.
+  using Choice = std::function<Result<SessionWish>(Connection&)>;
   /// Opens a session on a thread of its own.
   using Opener =
       std::function<Result<OpenedDocument>(const std::shared_ptr<Connection>&, const Progress&)>;
@@ -170,13 +168,12 @@ class Workspace {
   void open_chosen(Choice choice) { open_chosen(std::move(choice), opening_activity()); }
   void open_chosen(Choice choice, const std::shared_ptr<Activity>& activity);
   void open_by(Opener opener, const std::shared_ptr<Activity>& activity);
-  void open_prepared(const std::shared_ptr<Prepared>& prepared,
-                     const std::shared_ptr<Activity>& activity);
+  void open_wish(const SessionWish& wish, const std::shared_ptr<Activity>& activity);
   bool begins_opening();
   void run_opener(Opener opener, const std::shared_ptr<Activity>& activity);
   void take_opened(const std::shared_ptr<Activity>& activity, Result<OpenedDocument>& opened);
   void fail_opening(const std::shared_ptr<Activity>& activity, const Status& why);
-  void look_early(const std::shared_ptr<const Prepared>& prepared);
+  void look_early(const std::shared_ptr<const Coming>& coming);
   void take_early(const std::string& session, Result<RawScan>& early);
   static std::shared_ptr<Activity> opening_activity();
   void open_scan(const ScanInfo& scan, Opening opening, int depth,
@@ -241,7 +238,7 @@ std::string with_port(const std::string& server);
 /// Returns "3 edits are not saved", or "1 edit is not saved".
 std::string unsaved_text(size_t edits);
 
-/// Opens a session on a prepared scan, and fetches all data of a document. Sets `is_open` as soon
+/// Prepares a scan, opens its session, and fetches all data of a document. Sets `is_open` as soon
 /// as the session is. Fails: as the server says; cancelled.
 Result<OpenedDocument> open_document(std::shared_ptr<Connection> connection,
                                      const SessionWish& wish, const Progress& progress,

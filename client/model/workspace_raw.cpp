@@ -4,13 +4,15 @@
 
 namespace burnish {
 
-void Workspace::look_early(const std::shared_ptr<const Prepared>& prepared) {
-  tasks_.start([this, connection = connection_,
-                prepared](const StopToken& stop) -> Tasks::Completion {
-    const auto early = std::make_shared<Result<RawScan>>(fetch_raw_scan(
-        *connection, prepared->scan, [&] { return !prepared->is_open && !stop.stop_requested(); }));
-    return [this, prepared, early] { take_early(prepared->wish.name, *early); };
-  });
+void Workspace::look_early(const std::shared_ptr<const Coming>& coming) {
+  tasks_.start(
+      [this, connection = connection_, coming](const StopToken& stop) -> Tasks::Completion {
+        const auto early =
+            std::make_shared<Result<RawScan>>(fetch_raw_scan(*connection, coming->wish.scan, [&] {
+              return !coming->is_open && !stop.stop_requested();
+            }));
+        return [this, coming, early] { take_early(coming->wish.name, *early); };
+      });
 }
 
 // A failure of the server is told by the opening.

@@ -17,37 +17,28 @@ std::shared_ptr<Activity> Workspace::opening_activity() {
   return std::make_shared<Activity>("Opening");
 }
 
-// The scan is prepared before its session opens, so that users see the preparation and can cancel.
-static Status prepare(Connection& connection, const Workspace::Choice& choice, Prepared& prepared,
-                      const Progress& progress) {
-  ASSIGN_OR_RETURN(prepared.wish, choice(connection));
-  ASSIGN_OR_RETURN(prepared.scan,
-                   connection.prepare_scan(prepared.wish.scan, prepared.wish.key, progress));
-  return Status::ok();
-}
-
 void Workspace::open_chosen(Choice choice, const std::shared_ptr<Activity>& activity) {
   if (!begins_opening()) return;
   start_activity(activity, [this, activity, connection = connection_,
                             choice = std::move(choice)](const Progress& progress) {
     connection->bring_back(progress);
-    const auto prepared = std::make_shared<Prepared>();
-    const Status done = prepare(*connection, choice, *prepared, progress);
-    return [this, activity, prepared, done] {
-      done.is_ok() ? open_prepared(prepared, activity) : fail_opening(activity, done);
+    const auto wish = std::make_shared<Result<SessionWish>>(choice(*connection));
+    return [this, activity, wish] {
+      wish->is_ok() ? open_wish(**wish, activity) : fail_opening(activity, wish->status());
     };
   });
 }
 
 // A large scan takes seconds until it can be edited: what there is of it is shown meanwhile.
-void Workspace::open_prepared(const std::shared_ptr<Prepared>& prepared,
-                              const std::shared_ptr<Activity>& activity) {
+void Workspace::open_wish(const SessionWish& wish, const std::shared_ptr<Activity>& activity) {
+  const auto coming = std::make_shared<Coming>();
+  coming->wish = wish;
   run_opener(
-      [prepared](const std::shared_ptr<Connection>& connection, const Progress& progress) {
-        return open_document(connection, prepared->wish, progress, &prepared->is_open);
+      [coming](const std::shared_ptr<Connection>& connection, const Progress& progress) {
+        return open_document(connection, coming->wish, progress, &coming->is_open);
       },
       activity);
-  if (!has_picture()) look_early(prepared);
+  if (!has_picture()) look_early(coming);
 }
 
 void Workspace::open_again(int depth) {
