@@ -30,7 +30,7 @@ struct SetTransferCurve {
   TransferCurve curve{kAlphaDefault};
 };
 
-/// What an edit of single cells sets.
+/// The values that an edit of single cells sets.
 enum class CellTarget {
   kFields,      ///< α and β, over all paint
   kEdges,       ///< paints the strength of kept edges

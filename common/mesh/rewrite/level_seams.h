@@ -51,8 +51,8 @@ struct LevelledSeams {
 /// Finds factors that level the borders between the charts of a scan's pictures, which photos of
 /// different exposure leave. The logarithm of a factor is an unknown at each point of each chart.
 /// Least squares: differences across seam edges become zero (weight 1), neighbours in a chart are
-/// alike (0.1), nothing changes (1e-4). Conjugate gradients solve it. What differs by more than
-/// kSeamStepMax counts not. Between the corners of a triangle factors are linear.
+/// alike (0.1), nothing changes (1e-4). Conjugate gradients solve it. Steps above kSeamStepMax do
+/// not count. Between the corners of a triangle factors are linear.
 ///
 /// Fails: failed_precondition if no triangle shows a picture; resource_exhausted; cancelled; as the
 /// budget does, which hears the memory first. The same bits for any number of threads. Cost: 100 k
