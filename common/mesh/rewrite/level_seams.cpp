@@ -38,8 +38,6 @@ class SeamLeveller {
 
   Result<LevelledSeams> level() {
     ASSIGN_OR_RETURN(charts_, find_texture_charts(surface_, budget_));
-    if (charts_.point_count() == 0)
-      return failed_precondition("the scan shows no picture whose seams could be levelled");
     ASSIGN_OR_RETURN(samples_, sample_seams(surface_, charts_.seams, bytes_of_charts(), budget_));
     LevelledSeams levelled;
     levelled.report.charts = charts_.charts;
@@ -68,7 +66,7 @@ class SeamLeveller {
     return wish_.free[surface_.mesh.triangles[corner / 3][corner % 3]];
   }
 
-  /// Returns the light that a sample shows; nothing below 0 is known.
+  /// Returns the light that a sample shows. Needs: is_known().
   Vec3f light_at(size_t edge, size_t side, uint32_t sample) const {
     const Vec3f& light = samples_.lights[SeamSamples::index(edge, side, sample)];
     const uint32_t triangle = charts_.seams[edge].sides[side].triangle;
@@ -83,7 +81,8 @@ class SeamLeveller {
   }
 
   bool is_known(size_t edge) const {
-    return light_at(edge, 0, 0)[0] >= 0 && light_at(edge, 1, 0)[0] >= 0;
+    return samples_.lights[SeamSamples::index(edge, 0, 0)][0] >= 0 &&
+           samples_.lights[SeamSamples::index(edge, 1, 0)][0] >= 0;
   }
 
   double median_step(const std::vector<Vec3f>* factors, uint64_t* measured) const {
@@ -109,11 +108,9 @@ class SeamLeveller {
     if (budget_)
       RETURN_IF_ERROR(budget_(bytes_of_charts() + std::span(samples_.lights).size_bytes() +
                               SeamSystem::bytes_of(charts_)));
-    SeamSystem system(charts_);
-    for (size_t edge = 0; edge < charts_.seams.size(); ++edge) {
-      if (!is_known(edge)) continue;
-      for (uint32_t i = 0; i < SeamSamples::kPerEdge; ++i) add_sample(edge, i, system);
-    }
+    ASSIGN_OR_RETURN(SeamSystem system, SeamSystem::make(charts_));
+    for (size_t edge = 0; edge < charts_.seams.size(); ++edge)
+      if (is_known(edge)) add_edge(edge, system);
     ASSIGN_OR_RETURN(const SeamSystem::Values logs, system.solve(budget_));
     const float most = std::log(kSeamFactorMax);
     for (uint32_t point = 0; point < charts_.point_count(); ++point) {
@@ -124,19 +121,25 @@ class SeamLeveller {
     return Status::ok();
   }
 
-  void add_sample(size_t edge, uint32_t sample, SeamSystem& system) const {
+  void add_edge(size_t edge, SeamSystem& system) const {
+    const auto& [one, other] = charts_.seams[edge].sides;
+    const SeamSystem::Points points = {point_at(one, 0), point_at(one, 1), point_at(other, 0),
+                                       point_at(other, 1)};
+    const Eigen::Vector4d free = {free_at(points[0]), free_at(points[1]), -free_at(points[2]),
+                                  -free_at(points[3])};
+    SeamSystem::Wishes wishes;
+    for (uint32_t i = 0; i < SeamSamples::kPerEdge; ++i) add_sample(edge, i, free, wishes);
+    system.add(points, wishes);
+  }
+
+  void add_sample(size_t edge, uint32_t sample, const Eigen::Vector4d& free,
+                  SeamSystem::Wishes& wishes) const {
     const Vec3f one = light_at(edge, 0, sample), other = light_at(edge, 1, sample);
     if ((levels_of(one) - levels_of(other)).cwiseAbs().maxCoeff() > kSeamStepMax) return;
     const Vec3f step = (one.array().max(kDarkest).log() - other.array().max(kDarkest).log());
     const double part = SeamSamples::part(sample);
-    SeamSystem::Terms terms;
-    for (size_t side = 0; side < 2; ++side)
-      for (size_t end = 0; end < 2; ++end) {
-        const uint32_t point = point_at(charts_.seams[edge].sides[side], end);
-        const double weight = end == 0 ? 1 - part : part;
-        terms[2 * side + end] = {point, (side == 0 ? 1 : -1) * weight * free_at(point)};
-      }
-    system.add(terms, -step.cast<double>(), 1.0 / SeamSamples::kPerEdge);
+    const Eigen::Vector4d parts = {1 - part, part, 1 - part, part};
+    wishes.add(free.cwiseProduct(parts), -step.cast<double>(), 1.0 / SeamSamples::kPerEdge);
   }
 
   const TexturedSurface& surface_;

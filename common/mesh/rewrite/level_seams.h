@@ -54,9 +54,9 @@ struct LevelledSeams {
 /// alike (0.1), nothing changes (1e-4). Conjugate gradients solve it. Steps above kSeamStepMax do
 /// not count. Between the corners of a triangle factors are linear.
 ///
-/// Fails: failed_precondition if no triangle shows a picture; resource_exhausted; cancelled; as the
-/// budget does, which hears the memory first. The same bits for any number of threads. Cost: 100 k
-/// unknowns take about a second, beside the reading of the pictures.
+/// Fails: resource_exhausted; cancelled; as the budget does, which hears the memory first. The same
+/// bits for any number of threads. Cost: 100 k unknowns take about a second, beside the reading of
+/// the pictures.
 Result<LevelledSeams> level_seams(const TexturedSurface& surface, const SeamWish& wish,
                                   const FileBudget& budget = {});
 

@@ -1,6 +1,8 @@
 #include "common/mesh/rewrite/seam_system.h"
 
 #include <algorithm>
+#include <limits>
+#include <string>
 
 namespace burnish {
 
@@ -11,6 +13,7 @@ constexpr double kAlike = 0.1 / 2;
 constexpr double kStill = 1e-4;
 constexpr double kResidualMax = 1e-4;  // of the right side
 constexpr int kStepsMax = 3000;
+constexpr uint64_t kEntriesPerSeam = 16;
 constexpr Eigen::Index kBlock = 4096;  // of sums, whose order is fixed
 
 /// Returns the dot product of each channel.
@@ -35,23 +38,31 @@ Eigen::Array3d ratio(const Eigen::Array3d& a, const Eigen::Array3d& b) {
 }  // namespace
 
 SeamSystem::SeamSystem(const TextureCharts& charts)
-    : charts_(charts), right_(Values::Zero(charts.point_count(), 3)) {}
+    : charts_(&charts), right_(Values::Zero(charts.point_count(), 3)) {
+  entries_.reserve(kEntriesPerSeam * charts.seams.size());
+}
+
+Result<SeamSystem> SeamSystem::make(const TextureCharts& charts) {
+  constexpr uint64_t kSeamsMax = std::numeric_limits<int32_t>::max() / kEntriesPerSeam;
+  if (charts.seams.size() <= kSeamsMax) return SeamSystem(charts);
+  return resource_exhausted("the scan's pictures have " + std::to_string(charts.seams.size()) +
+                            " seams; the limit is " + std::to_string(kSeamsMax));
+}
 
 uint64_t SeamSystem::bytes_of(const TextureCharts& charts) {
   constexpr uint64_t kVectors = 6;
-  // Triplets of a vector that grew, and the matrix that they become.
-  constexpr uint64_t kPerSeam = 2 * 64 * sizeof(Eigen::Triplet<double>) + 3 * 16 * 12;
+  // The triplets, and the matrix that they become, twice while it is sorted.
+  constexpr uint64_t kPerSeam = kEntriesPerSeam * (sizeof(Eigen::Triplet<double>) + 2 * 12);
   return kVectors * 3 * sizeof(double) * charts.point_count() + kPerSeam * charts.seams.size();
 }
 
-void SeamSystem::add(const Terms& terms, const Vec3d& wanted, double weight) {
-  for (const auto& [row, of_row] : terms) {
-    if (of_row == 0) continue;
-    right_.row(row) += weight * of_row * wanted.transpose();
-    for (const auto& [column, of_column] : terms)
-      if (of_column != 0)
-        entries_.emplace_back(static_cast<int32_t>(row), static_cast<int32_t>(column),
-                              weight * of_row * of_column);
+void SeamSystem::add(const Points& points, const Wishes& wishes) {
+  for (Eigen::Index row = 0; row < 4; ++row) {
+    right_.row(points[row]) += wishes.right_.row(row);
+    for (Eigen::Index column = 0; column < 4; ++column)
+      if (wishes.matrix_(row, column) != 0)
+        entries_.emplace_back(static_cast<int32_t>(points[row]),
+                              static_cast<int32_t>(points[column]), wishes.matrix_(row, column));
   }
 }
 
@@ -59,10 +70,10 @@ void SeamSystem::multiply(const Values& x, Values& product) const {
 #pragma omp parallel for schedule(static)
   for (Eigen::Index point = 0; point < x.rows(); ++point) {
     Eigen::RowVector3d sum = kStill * x.row(point);
-    for (const uint32_t corner : charts_.corners_of(static_cast<uint32_t>(point))) {
+    for (const uint32_t corner : charts_->corners_of(static_cast<uint32_t>(point))) {
       const uint32_t first = corner - corner % 3;
       for (uint32_t k = 1; k < 3; ++k)
-        sum += kAlike * (x.row(point) - x.row(charts_.points[first + (corner + k) % 3]));
+        sum += kAlike * (x.row(point) - x.row(charts_->points[first + (corner + k) % 3]));
     }
     for (decltype(seams_)::InnerIterator entry(seams_, static_cast<int32_t>(point)); entry; ++entry)
       sum += entry.value() * x.row(entry.col());
@@ -72,13 +83,13 @@ void SeamSystem::multiply(const Values& x, Values& product) const {
 
 Eigen::VectorXd SeamSystem::diagonal() const {
   Eigen::VectorXd diagonal = seams_.diagonal();
-  for (uint32_t point = 0; point < charts_.point_count(); ++point)
-    diagonal[point] += kStill + 2 * kAlike * static_cast<double>(charts_.corners_of(point).size());
+  for (uint32_t point = 0; point < charts_->point_count(); ++point)
+    diagonal[point] += kStill + 2 * kAlike * static_cast<double>(charts_->corners_of(point).size());
   return diagonal;
 }
 
 Result<SeamSystem::Values> SeamSystem::solve(const FileBudget& budget) {
-  const auto points = static_cast<int32_t>(charts_.point_count());
+  const auto points = static_cast<int32_t>(charts_->point_count());
   seams_.resize(points, points);
   seams_.setFromTriplets(entries_.begin(), entries_.end());
   entries_ = {};

@@ -2,9 +2,9 @@
 
 #include <array>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include "common/base/file_budget.h"
@@ -19,27 +19,43 @@ namespace burnish {
 class SeamSystem {
  public:
   using Values = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
-  /// Points and what multiplies their values.
-  using Terms = std::array<std::pair<uint32_t, double>, 4>;
+  /// The ends of an edge on both sides.
+  using Points = std::array<uint32_t, 4>;
 
-  /// Needs: the charts outlive this.
-  explicit SeamSystem(const TextureCharts& charts);
+  /// What an edge wants: that sums of the values at its points, which are multiplied before, are
+  /// what is given. One sum per sample.
+  class Wishes {
+   public:
+    void add(const Eigen::Vector4d& factors, const Vec3d& wanted, double weight) {
+      matrix_ += weight * factors * factors.transpose();
+      right_ += weight * factors * wanted.transpose();
+    }
+
+   private:
+    friend class SeamSystem;
+    Eigen::Matrix4d matrix_ = Eigen::Matrix4d::Zero();
+    Eigen::Matrix<double, 4, 3> right_ = Eigen::Matrix<double, 4, 3>::Zero();
+  };
+
+  /// Takes its memory. Needs: the charts outlive this. Fails: resource_exhausted above the number
+  /// of seams that it can count.
+  static Result<SeamSystem> make(const TextureCharts& charts);
 
   /// Returns the memory that it takes.
   static uint64_t bytes_of(const TextureCharts& charts);
 
-  /// Wants the sum of these terms to be `wanted`.
-  void add(const Terms& terms, const Vec3d& wanted, double weight);
+  void add(const Points& points, const Wishes& wishes);
 
   /// Returns the values by conjugate gradients. Shapes: (points, 3). Fails: as the budget does.
   /// The same bits for any number of threads.
   Result<Values> solve(const FileBudget& budget);
 
  private:
+  explicit SeamSystem(const TextureCharts& charts);
   void multiply(const Values& x, Values& product) const;
   Eigen::VectorXd diagonal() const;
 
-  const TextureCharts& charts_;
+  const TextureCharts* charts_;
   std::vector<Eigen::Triplet<double, int32_t>> entries_;
   Eigen::SparseMatrix<double, Eigen::RowMajor, int32_t> seams_;
   Values right_;
