@@ -11,9 +11,11 @@
 namespace burnish {
 
 /// Returns the pages of the finest level that one request brings: half a megabyte.
-static PageRange coarse_level(const PageHead& head) {
+static PageRange coarse_level(const PageHead& head, uint64_t triangles_max) {
+  const uint64_t pages_max =
+      std::min<uint64_t>(kPagePartsPerFetchMax, triangles_max / kPageTrianglesMax);
   int level = head.level_count() - 1;
-  while (level > 0 && head.level_pages[size_t(level) - 1] <= kPagePartsPerFetchMax) --level;
+  while (level > 0 && head.level_pages[size_t(level) - 1] <= pages_max) --level;
   return {head.level_begin(level), head.level_begin(level + 1)};
 }
 
@@ -30,13 +32,13 @@ static RawScan raw_scan_of(const ScanInfo& scan, const PageHead& head) {
 }
 
 Result<RawScan> fetch_raw_scan(Connection& connection, const std::string& scan,
-                               const std::function<bool()>& is_wanted) {
+                               uint64_t triangles_max, const std::function<bool()>& is_wanted) {
   const auto goes_on = [&](std::string_view, double) { return is_wanted(); };
   ASSIGN_OR_RETURN(const ScanDescription whole, connection.describe_scan(scan, 0));
   ASSIGN_OR_RETURN(const PagesDescription described, connection.describe_pages(scan, goes_on));
   ASSIGN_OR_RETURN(const PageHead head, decode_head(described.head));
   if (!is_wanted()) return cancelled("nobody waits for the pages any more");
-  const PageRange level = coarse_level(head);
+  const PageRange level = coarse_level(head, triangles_max);
   PagesWish wish{.scan = scan};
   for (PageId page = level.begin; page < level.end; ++page) wish.pages.push_back(page);
   RawScan raw = raw_scan_of(whole.scan, head);

@@ -43,11 +43,12 @@ bool can_be_raw(const std::filesystem::path& file);
 /// Fails: as read_mesh() does.
 Result<RawScan> read_raw_scan(const std::filesystem::path& file, uint64_t triangles_max);
 
-/// Fetches a coarse surface of a server's scan: a level of its pages that one request brings.
+/// Fetches a coarse surface of a server's scan: a level of its pages that one request brings, at
+/// most about `triangles_max` triangles.
 /// `is_wanted` is asked between pages. Fails: as the server says; data_loss; cancelled if it is not
 /// wanted any more.
 Result<RawScan> fetch_raw_scan(Connection& connection, const std::string& scan,
-                               const std::function<bool()>& is_wanted);
+                               uint64_t triangles_max, const std::function<bool()>& is_wanted);
 
 /// Moves the pages into an empty renderer. Fails: as the renderer does.
 Status put_into(PageRenderer& renderer, RawScan& scan);

@@ -53,8 +53,13 @@ enum class Opening {
 
 /// A session that is being opened.
 struct Coming {
-  SessionWish wish;
-  std::atomic<bool> is_open{false};
+  Coming(std::shared_ptr<Connection> server, SessionWish wanted, std::shared_ptr<Activity> work)
+      : connection(std::move(server)), wish(std::move(wanted)), activity(std::move(work)) {}
+
+  const std::shared_ptr<Connection> connection;
+  const SessionWish wish;
+  const std::shared_ptr<Activity> activity;
+  std::atomic<bool> is_over{false};  ///< it is open, or it failed
 };
 
 /// Everything that the window shows and a script can do, without the drawing. No call waits for the
@@ -168,13 +173,16 @@ class Workspace {
   void open_chosen(Choice choice) { open_chosen(std::move(choice), opening_activity()); }
   void open_chosen(Choice choice, const std::shared_ptr<Activity>& activity);
   void open_by(Opener opener, const std::shared_ptr<Activity>& activity);
-  void open_wish(const SessionWish& wish, const std::shared_ptr<Activity>& activity);
+  void open_wish(const std::shared_ptr<Connection>& connection, const SessionWish& wish,
+                 const std::shared_ptr<Activity>& activity);
   bool begins_opening();
-  void run_opener(Opener opener, const std::shared_ptr<Activity>& activity);
+  void run_opener(const std::shared_ptr<Connection>& connection, Opener opener,
+                  const std::shared_ptr<Activity>& activity);
   void take_opened(const std::shared_ptr<Activity>& activity, Result<OpenedDocument>& opened);
+  void end_opening();
   void fail_opening(const std::shared_ptr<Activity>& activity, const Status& why);
-  void look_early(const std::shared_ptr<const Coming>& coming);
-  void take_early(const std::string& session, Result<RawScan>& early);
+  void look_early();
+  void take_early(Result<RawScan>& early);
   static std::shared_ptr<Activity> opening_activity();
   void open_scan(const ScanInfo& scan, Opening opening, int depth,
                  const std::shared_ptr<Activity>& activity);
@@ -211,6 +219,7 @@ class Workspace {
   std::vector<std::function<void()>> when_connected_;
   std::vector<std::shared_ptr<Activity>> activities_;
   bool opening_ = false;
+  std::shared_ptr<Coming> coming_;  // what is opened, once it was chosen; null: nothing
   uint64_t exports_done_ = 0;
   std::string document_server_;  // empty: the private one
   uint64_t pictures_begun_ = 0;

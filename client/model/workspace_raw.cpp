@@ -1,35 +1,45 @@
+#include <algorithm>
 #include <utility>
 
 #include "client/model/workspace.h"
 
 namespace burnish {
 
-void Workspace::look_early(const std::shared_ptr<const Coming>& coming) {
-  tasks_.start(
-      [this, connection = connection_, coming](const StopToken& stop) -> Tasks::Completion {
-        const auto early =
-            std::make_shared<Result<RawScan>>(fetch_raw_scan(*connection, coming->wish.scan, [&] {
-              return !coming->is_open && !stop.stop_requested();
-            }));
-        return [this, coming, early] { take_early(coming->wish.name, *early); };
-      });
+void Workspace::look_early() {
+  tasks_.start([this, coming = coming_, triangles_max = options_.budget.triangles](
+                   const StopToken& stop) -> Tasks::Completion {
+    const auto is_wanted = [&] {
+      return !coming->is_over && !coming->activity->is_cancelled() && !stop.stop_requested();
+    };
+    const auto early = std::make_shared<Result<RawScan>>(
+        fetch_raw_scan(*coming->connection, coming->wish.scan, triangles_max, is_wanted));
+    return [this, coming, early] {
+      if (coming == coming_) take_early(*early);
+    };
+  });
 }
 
 // A failure of the server is told by the opening.
-void Workspace::take_early(const std::string& session, Result<RawScan>& early) {
-  if (!opening_ || has_picture() || !early.is_ok() || !put_into(renderer_, *early).is_ok()) return;
+void Workspace::take_early(Result<RawScan>& early) {
+  if (has_picture() || !early.is_ok() || !put_into(renderer_, *early).is_ok()) return;
   raw_.emplace(std::move(*early));
   ++pictures_begun_;
   viewport.begin(raw_->box);
-  for (const RecentSession& recent : preferences.recent)
-    if (recent.server == recent_server() && recent.session == session) see_as_kept(recent.id);
+  const auto recent = std::ranges::find_if(preferences.recent, [&](const RecentSession& each) {
+    return each.server == recent_server() && each.session == coming_->wish.name;
+  });
+  if (recent != preferences.recent.end()) see_as_kept(recent->id);
 }
 
 bool Workspace::keeps_raw_picture(const Camera& shown) const {
   if (!document_ || document_->is_picture_settled()) return false;
   Camera camera = viewport.camera;
   camera.scene_radius = shown.scene_radius;
-  return camera == shown && document_->surface().status().triangles_drawn < raw_triangles_;
+  const CutStatus now = document_->surface().status();
+  const uint64_t whole = document_->scan().scan.statistics.triangles;
+  const bool is_coarser = now.triangles_in_view == 0 ||
+                          now.triangles_drawn * whole < now.triangles_in_view * raw_triangles_;
+  return camera == shown && raw_triangles_ > 0 && is_coarser;
 }
 
 uint64_t Workspace::server_memory_bytes() const {
@@ -37,7 +47,8 @@ uint64_t Workspace::server_memory_bytes() const {
 }
 
 void Workspace::close_raw(const std::filesystem::path& file) {
-  if (raw_file_ == file) forget_raw();
+  if (raw_file_ != file) return;
+  raw_ && raw_->file != file ? raw_file_.clear() : forget_raw();
 }
 
 void Workspace::forget_raw() {

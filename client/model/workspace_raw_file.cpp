@@ -31,7 +31,7 @@ void Workspace::take_raw(const std::filesystem::path& file, Opening opening, Res
     return log.failure("import of " + file.string(), read.status());
   }
   const uint64_t triangles = read->triangles;
-  if (!document_ && raw_file_ == file && put_into(renderer_, *read).is_ok()) {
+  if (raw_file_ == file && may_open(file) && put_into(renderer_, *read).is_ok()) {
     raw_ = std::move(*read);
     raw_opening_ = opening;
     ++pictures_begun_;
@@ -51,7 +51,7 @@ void Workspace::open_raw() {
 
 // The server has one session to prepare at a time: the running one ends first.
 void Workspace::choose_depth(int depth) {
-  if (raw_file_.empty() || !raw_ || std::exchange(raw_depth_, depth) == depth) return;
+  if (!raw_work_ || !raw_ || std::exchange(raw_depth_, depth) == depth) return;
   raw_begins_again_ = true;
   raw_work_->cancel();
 }

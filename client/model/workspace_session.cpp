@@ -23,22 +23,24 @@ void Workspace::open_chosen(Choice choice, const std::shared_ptr<Activity>& acti
                             choice = std::move(choice)](const Progress& progress) {
     connection->bring_back(progress);
     const auto wish = std::make_shared<Result<SessionWish>>(choice(*connection));
-    return [this, activity, wish] {
-      wish->is_ok() ? open_wish(**wish, activity) : fail_opening(activity, wish->status());
+    return [this, activity, connection, wish] {
+      wish->is_ok() ? open_wish(connection, **wish, activity)
+                    : fail_opening(activity, wish->status());
     };
   });
 }
 
 // A large scan takes seconds until it can be edited: what there is of it is shown meanwhile.
-void Workspace::open_wish(const SessionWish& wish, const std::shared_ptr<Activity>& activity) {
-  const auto coming = std::make_shared<Coming>();
-  coming->wish = wish;
+void Workspace::open_wish(const std::shared_ptr<Connection>& connection, const SessionWish& wish,
+                          const std::shared_ptr<Activity>& activity) {
+  coming_ = std::make_shared<Coming>(connection, wish, activity);
   run_opener(
-      [coming](const std::shared_ptr<Connection>& connection, const Progress& progress) {
-        return open_document(connection, coming->wish, progress, &coming->is_open);
+      connection,
+      [coming = coming_](const std::shared_ptr<Connection>& server, const Progress& progress) {
+        return open_document(server, coming->wish, progress, &coming->is_over);
       },
       activity);
-  if (!has_picture()) look_early(coming);
+  if (!has_picture()) look_early();
 }
 
 void Workspace::open_again(int depth) {
@@ -60,28 +62,35 @@ bool Workspace::begins_opening() {
 }
 
 void Workspace::open_by(Opener opener, const std::shared_ptr<Activity>& activity) {
-  if (begins_opening()) run_opener(std::move(opener), activity);
+  if (begins_opening()) run_opener(connection_, std::move(opener), activity);
 }
 
-void Workspace::run_opener(Opener opener, const std::shared_ptr<Activity>& activity) {
-  start_activity(activity, [this, activity, connection = connection_,
-                            opener = std::move(opener)](const Progress& progress) {
-    connection->bring_back(progress);
-    auto opened = std::make_shared<Result<OpenedDocument>>(opener(connection, progress));
-    return [this, activity, opened] { take_opened(activity, *opened); };
-  });
+void Workspace::run_opener(const std::shared_ptr<Connection>& connection, Opener opener,
+                           const std::shared_ptr<Activity>& activity) {
+  start_activity(
+      activity, [this, activity, connection, opener = std::move(opener)](const Progress& progress) {
+        connection->bring_back(progress);
+        auto opened = std::make_shared<Result<OpenedDocument>>(opener(connection, progress));
+        return [this, activity, opened] { take_opened(activity, *opened); };
+      });
 }
 
 void Workspace::take_opened(const std::shared_ptr<Activity>& activity,
                             Result<OpenedDocument>& opened) {
   if (!opened.is_ok()) return fail_opening(activity, opened.status());
-  opening_ = false;
+  end_opening();
   if (activity == raw_work_ && begins_again()) return delete_if_new(*opened);
   show(std::move(*opened));
 }
 
-void Workspace::fail_opening(const std::shared_ptr<Activity>& activity, const Status& why) {
+void Workspace::end_opening() {
   opening_ = false;
+  if (coming_) coming_->is_over = true;
+  coming_.reset();
+}
+
+void Workspace::fail_opening(const std::shared_ptr<Activity>& activity, const Status& why) {
+  end_opening();
   if (activity == raw_work_ && begins_again()) return;
   forget_raw();
   log.failure("open", why);

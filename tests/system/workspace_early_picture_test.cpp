@@ -90,6 +90,14 @@ TEST_F(EarlyPicture, GoesWhenItsSessionCannotBeOpened) {
   EXPECT_FALSE(workspace_.log.messages().empty());
 }
 
+TEST_F(EarlyPicture, ComesFromTheServerOfItsOpeningThoughTheUserHasGoneToAnother) {
+  open_ball();
+  workspace_.connect("127.0.0.1:1");
+  ASSERT_TRUE(until([this] { return workspace_.raw() != nullptr; }));
+  open_gate();
+  ASSERT_TRUE(until([this] { return workspace_.document() != nullptr; }));
+}
+
 TEST_F(EarlyPicture, AScanThatIsOpenStaysWhileAnotherOpens) {
   open_gate();
   open_ball();
