@@ -63,7 +63,7 @@ def choose(link, settings):
 
 show_beta = updater(lambda link, settings: link.show(link.sliders(settings.beta, 0)[0]))
 show_wavelength = updater(lambda link, settings: link.show(link.sliders(0, settings.wavelength)[-1])
-                          if settings.wavelength > 0 else link.drop())
+                          if settings.wavelength > 0 else link.drop(burnish.TransferCurve))
 show_strength = updater(lambda link, settings: link.show(
     link.strength(settings.preset, settings.strength)) if settings.preset != SLIDERS else None)
 

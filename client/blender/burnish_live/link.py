@@ -46,7 +46,7 @@ class Link:
         new one. Raises burnish.Error; ValueError if the session's scan is another mesh."""
         self._places = places_of(mesh_object.data)
         self._shown = None  # a gesture and its edit: the server shows one of a client
-        self._kept_for_next = []  # edits that were shown when another kind came
+        self._kept_for_next = {}  # by kind: the newest edit that was shown when another kind came
         self._made_together = []  # how many entries each call has made
         with contextlib.ExitStack() as made:
             self.server = made.enter_context(
@@ -97,7 +97,7 @@ class Link:
         if self._shown and type(self._shown[1]) is not type(change):
             gesture, before = self._shown
             gesture.keep(before)
-            self._kept_for_next.append(before)
+            self._kept_for_next[type(before)] = before
             self._made_together.append(1)
             self._shown = None
         gesture = self._shown[0] if self._shown else self.live.gesture()
@@ -106,17 +106,17 @@ class Link:
 
     def keep(self, changes):
         """Applies the edits. One undo takes all back, but for what show() has kept."""
-        new = [change for change in changes if change not in self._kept_for_next]
+        new = [change for change in changes if self._kept_for_next.get(type(change)) != change]
         if new:
             self._made_together.append(len(self.session.apply(*new)))
         self._kept_for_next.clear()
         self.drop()
 
-    def drop(self):
-        """Shows the session without the edit that was shown and not kept."""
-        if self._shown:
+    def drop(self, kind=object):
+        """Shows the session without the edit that was shown and not kept, if it is of this kind."""
+        if self._shown and isinstance(self._shown[1], kind):
             self._shown[0].drop()
-        self._shown = None
+            self._shown = None
 
     def paint(self, mesh_object, group, what, beta):
         """Edits where a vertex group is; vertices of weight 0 stay. `what`: "beta", a weight of 1 is
@@ -130,6 +130,7 @@ class Link:
 
     def undo(self):
         """Undoes the newest edit of this user, with those that were made together with it."""
+        self._kept_for_next.clear()
         for _ in range(self._made_together.pop() if self._made_together else 1):
             self.session.undo()
 

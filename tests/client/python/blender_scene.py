@@ -77,6 +77,14 @@ bpy.ops.burnish.undo()
 bpy.ops.burnish.undo()
 facts["beta after undo"] = link.session.state().beta
 settings.preset = burnish_live.SLIDERS
+for settings.beta, settings.wavelength in (0.5, 0.4), (0.7, 0.6):
+    pass  # each slider's move shows an edit, and keeps the one that the other showed
+settings.beta = 0.5
+bpy.ops.burnish.keep()
+facts["the sliders' last places are kept"] = link.session.state().beta
+for _ in range(5):
+    bpy.ops.burnish.undo()
+facts["beta after all undos"] = link.session.state().beta
 
 settings.address, settings.session = link.server.calls.address, link.session.name
 twin = add_twin("twin", 1)

@@ -67,6 +67,8 @@ class Blender(unittest.TestCase):
         self.assertEqual(facts["edits while its strength moves"], 2)
         self.assertEqual(facts["preset at a strength"], [True, True])
         self.assertAlmostEqual(facts["beta after undo"], 0.2, 6)
+        self.assertAlmostEqual(facts["the sliders' last places are kept"], 0.5, 6)
+        self.assertAlmostEqual(facts["beta after all undos"], 0.2, 6)
         self.assertEqual(facts["painted weights"], ["edges kept", "protection"])
         self.assertGreater(facts["protected"], 0)
         self.assertLess(facts["protected"], 0.6)
