@@ -93,16 +93,22 @@ test("APublicationShowsTexelsEditedColoursAndGains", async () => {
 
 test("NginxShowsAPublicationAsItComes", { skip: hasNginx ? false : "there is no nginx" }, async () => {
   const nginx = await serveByNginx(await publishOnce());
-  await labs.card.visitAt(nginx.address, (visit) => visit.page.getByText("full detail").waitFor());
-  await nginx.stop();
+  try {
+    await labs.card.visitAt(nginx.address, (visit) => visit.page.getByText("full detail").waitFor());
+  } finally {
+    await nginx.stop();
+  }
 });
 
 test("FirefoxShowsAPublication", { skip: hasFirefox ? false : "there is no firefox-esr" }, async () => {
   const lab = new Lab("best", "firefox");
   const address = await serve(await publishOnce(), "ranges");
-  await lab.begin(address);
-  await lab.visitAt(address, (visit) => visit.page.getByText("full detail").waitFor(), {}, /style-src-elem/);
-  await lab.stop();
+  try {
+    await lab.begin(address);
+    await lab.visitAt(address, (visit) => visit.page.getByText("full detail").waitFor(), {}, /style-src-elem/);
+  } finally {
+    await lab.stop();
+  }
 });
 
 /** Publishes the session of the tablet, and returns the folder. Later calls return the same. */
