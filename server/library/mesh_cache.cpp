@@ -14,15 +14,6 @@ void MeshCache::add(const Key& key, const std::shared_ptr<const SharedMesh>& mes
   meshes_[key] = mesh;
 }
 
-std::shared_ptr<FairMutex> MeshCache::making(const Key& key) {
-  const std::lock_guard lock(mutex_);
-  std::erase_if(making_, [](const auto& entry) { return entry.second.expired(); });
-  std::weak_ptr<FairMutex>& known = making_[key];
-  auto making = known.lock();
-  if (!making) known = making = std::make_shared<FairMutex>();
-  return making;
-}
-
 uint64_t MeshCache::byte_count() const {
   const std::lock_guard lock(mutex_);
   uint64_t bytes = 0;

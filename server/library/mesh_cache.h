@@ -11,7 +11,7 @@
 #include "common/service/scan_info.h"
 #include "server/memory/quota.h"
 #include "server/metrics/live_objects.h"
-#include "server/scheduling/fair_mutex.h"
+#include "server/scheduling/fair_mutexes.h"
 #include "server/solver/cycle/multigrid.h"
 
 namespace burnish {
@@ -37,7 +37,7 @@ class MeshCache {
   void add(const Key& key, const std::shared_ptr<const SharedMesh>& mesh);
 
   /// Returns the mutex to hold while making the mesh, so that others wait for it.
-  std::shared_ptr<FairMutex> making(const Key& key);
+  std::shared_ptr<FairMutex> making(const Key& key) { return making_.of(key); }
 
   /// Returns the bytes of the meshes that somebody holds.
   uint64_t byte_count() const;
@@ -45,7 +45,7 @@ class MeshCache {
  private:
   mutable std::mutex mutex_;
   std::map<Key, std::weak_ptr<const SharedMesh>> meshes_;
-  std::map<Key, std::weak_ptr<FairMutex>> making_;
+  FairMutexes<Key> making_;
 };
 
 }  // namespace burnish

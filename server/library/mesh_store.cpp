@@ -14,7 +14,6 @@
 #include "server/memory/library_budget.h"
 #include "server/prepare/pages/build_pages.h"
 #include "server/prepare/prepare.h"
-#include "server/scheduling/cancellable_lock.h"
 
 namespace burnish {
 
@@ -94,8 +93,8 @@ Result<ImportOutcome> MeshStore::import(Upload& upload, const ImportHeader& head
                      " was announced");
   RETURN_IF_ERROR(take_upload(upload, id, progress));
   {
-    ASSIGN_OR_RETURN(const auto lock,
-                     lock_or_cancel(preparing_, "waiting for another scan", progress));
+    const bool is_small = is_prepared_in_a_moment(upload.path(), header.format);
+    ASSIGN_OR_RETURN(const auto turn, preparing_.wait(id, is_small, progress));
     const auto known = read_scan_folder(scan_folder(id));
     const StatusCode code = known.status().code();
     if (code == StatusCode::kNotFound || code == StatusCode::kDataLoss)

@@ -18,13 +18,14 @@
 #include "common/service/scan_sheets.h"
 #include "server/library/data_folder.h"
 #include "server/library/known_proposals.h"
+#include "server/library/known_scans.h"
 #include "server/library/mesh_cache.h"
 #include "server/library/open_pages.h"
 #include "server/library/original_store.h"
+#include "server/library/preparing_line.h"
 #include "server/library/scan_catalogue.h"
 #include "server/library/scan_index.h"
 #include "server/library/scan_names.h"
-#include "server/library/scans_without_pictures.h"
 #include "server/library/staging_folder.h"
 #include "server/library/upload.h"
 #include "server/memory/quota.h"
@@ -147,7 +148,7 @@ class MeshStore {
   Result<SheetsDescription> describe_sheets(const std::string& id, const Progress& progress);
 
   /// Returns whether a scan is known to show no picture: its original is here, and its directory
-  /// names none. Takes no time.
+  /// names none. Reads the directory once.
   bool shows_no_picture(const std::string& id);
 
   /// Reads blocks, charts and sheets in the order of the wish, and hands them over one by one.
@@ -225,11 +226,15 @@ class MeshStore {
   Result<ImportOutcome> prepare_known(const std::string& id, const PreparedKey& key,
                                       const Progress& progress);
   Status read_again(const std::string& id);
+  Result<PreparingLine::Turn> wait_to_prepare(const std::string& id, const Progress& progress);
+  bool is_prepared_in_a_moment(const std::filesystem::path& original, MeshFormat format) const;
   Status make_prepared(const std::string& id, const PreparedKey& key, const Progress& progress);
   Status rebuild(const std::string& id, const PreparedKey& key, const Progress& progress);
   Status make_room(const std::string& id, const PreparedKey& key);
   bool is_in_use(const std::string& id, const PreparedKey& key);
   Result<std::shared_ptr<SharedMesh>> read_charged(const std::string& id, const PreparedKey& key);
+  Result<std::shared_ptr<SharedMesh>> read_kept(const std::string& id, const PreparedKey& key,
+                                                const Progress& progress);
   Result<std::shared_ptr<SharedMesh>> read_with_hierarchy(const std::string& id,
                                                           const PreparedKey& key,
                                                           const Progress& progress);
@@ -272,10 +277,10 @@ class MeshStore {
   MeshCache cache_;
   OpenPages pages_;
   OpenSheets sheets_;
-  ScansWithoutPictures without_pictures_;
+  KnownScans without_pictures_, maybe_with_pictures_;
   std::mutex wanted_mutex_;
   IsWanted is_wanted_;
-  FairMutex preparing_;  // one at a time: each uses all cores and much memory
+  PreparingLine preparing_;
   KnownProposals proposals_;
   FairMutex measuring_;  // likewise, beside what prepares
   std::atomic<bool> is_ending_ = false;

@@ -8,7 +8,6 @@
 #include "server/library/scan_record.h"
 #include "server/memory/library_budget.h"
 #include "server/prepare/pages/build_pages.h"
-#include "server/scheduling/cancellable_lock.h"
 
 namespace burnish {
 
@@ -40,8 +39,7 @@ Result<std::shared_ptr<const ScanPages>> MeshStore::open_pages(const std::string
   auto pages = open_page_file(id);
   if (pages.is_ok() || !can_be_made_again(pages.status().code())) return pages;
   RETURN_IF_ERROR(bring_here(id, progress));
-  ASSIGN_OR_RETURN(const auto lock,
-                   lock_or_cancel(preparing_, "waiting for another scan", progress));
+  ASSIGN_OR_RETURN(const auto turn, wait_to_prepare(id, progress));
   pages = open_page_file(id);  // somebody else may have made them meanwhile
   if (pages.is_ok() || !can_be_made_again(pages.status().code())) return pages;
   if (pages.status().code() == StatusCode::kDataLoss)

@@ -33,11 +33,31 @@ Result<OriginalFile> MeshStore::find_original(const std::string& id, const Progr
   return OriginalFile{scan_folder(id) / original_file_name(scan.format), scan.format, scan.name};
 }
 
+static constexpr uint64_t kSmallReadingBytes = uint64_t{128} << 20;  // some 300,000 vertices
+static constexpr uint64_t kPreparingPerReading = 8;                  // bytes of memory
+
+// Tells from what the reading takes: a small file may be a large scan in an archive.
+bool MeshStore::is_prepared_in_a_moment(const fs::path& original, MeshFormat format) const {
+  const auto bytes = reading_bytes_max(original, format);
+  const uint64_t free = memory_.max() - std::min(memory_.max(), memory_.taken());
+  return bytes.is_ok() && *bytes <= kSmallReadingBytes && *bytes * kPreparingPerReading <= free;
+}
+
+Result<PreparingLine::Turn> MeshStore::wait_to_prepare(const std::string& id,
+                                                       const Progress& progress) {
+  const fs::path folder = scan_folder(id);
+  const auto scan = read_scan_folder(folder);
+  const bool is_small =
+      scan.is_ok() &&
+      is_prepared_in_a_moment(folder / original_file_name(scan->format), scan->format);
+  return preparing_.wait(id, is_small, progress);
+}
+
 Status MeshStore::prepare_scan(const std::string& id, const PreparedKey& key,
                                const Progress& progress) {
   RETURN_IF_ERROR(bring_here(id, progress));
-  ASSIGN_OR_RETURN(const auto lock,
-                   lock_or_cancel(preparing_, "waiting for another scan", progress));
+  if (read_prepared_summary(prepared_path(id, key)).is_ok()) return Status::ok();
+  ASSIGN_OR_RETURN(const auto turn, wait_to_prepare(id, progress));
   return make_prepared(id, key, progress);
 }
 
@@ -126,12 +146,22 @@ Result<std::shared_ptr<SharedMesh>> MeshStore::read_charged(const std::string& i
   return mesh;
 }
 
+// Maps files, so it waits for nobody who prepares.
+Result<std::shared_ptr<SharedMesh>> MeshStore::read_kept(const std::string& id,
+                                                         const PreparedKey& key,
+                                                         const Progress& progress) {
+  if (!fs::exists(hierarchy_path(id, key))) return not_found("no hierarchy is kept");
+  ASSIGN_OR_RETURN(auto mesh, read_charged(id, key));
+  RETURN_IF_ERROR(with_memory_for("the hierarchy of scan " + short_id(id), [&]() -> Status {
+    return read_kept_hierarchy(id, key, *mesh, progress);
+  }));
+  return mesh;
+}
+
 Result<std::shared_ptr<SharedMesh>> MeshStore::read_with_hierarchy(const std::string& id,
                                                                    const PreparedKey& key,
                                                                    const Progress& progress) {
-  RETURN_IF_ERROR(bring_here(id, progress));
-  ASSIGN_OR_RETURN(const auto lock,
-                   lock_or_cancel(preparing_, "waiting for another scan", progress));
+  ASSIGN_OR_RETURN(const auto turn, wait_to_prepare(id, progress));
   RETURN_IF_ERROR(make_prepared(id, key, progress));
   auto read = read_charged(id, key);
   if (can_be_made_again(read.status())) {
@@ -155,7 +185,11 @@ Result<std::shared_ptr<const SharedMesh>> MeshStore::open_mesh(const std::string
   ASSIGN_OR_RETURN(const auto lock,
                    lock_or_cancel(*making, "waiting for another session of the scan", progress));
   if (auto shared = cache_.find({id, key})) return shared;
-  ASSIGN_OR_RETURN(const auto mesh, read_with_hierarchy(id, key, progress));
+  RETURN_IF_ERROR(bring_here(id, progress));
+  auto read = read_kept(id, key, progress);
+  if (!read.is_ok() && read.status().code() != StatusCode::kCancelled)
+    read = read_with_hierarchy(id, key, progress);
+  ASSIGN_OR_RETURN(const auto mesh, std::move(read));
   if (!mesh->plan) RETURN_IF_ERROR(plan(id, *mesh, progress));
   // Dust has more than predicted: specks have corners at all depths.
   if (mesh->byte_count() > mesh->memory.amount())

@@ -13,7 +13,6 @@
 #include "server/library/scan_record.h"
 #include "server/memory/library_budget.h"
 #include "server/prepare/sheets/build_sheets.h"
-#include "server/scheduling/cancellable_lock.h"
 
 namespace burnish {
 
@@ -49,12 +48,14 @@ static bool is_to_be_made(StatusCode code) {
 
 bool MeshStore::shows_no_picture(const std::string& id) {
   if (without_pictures_.has(id)) return true;
+  if (maybe_with_pictures_.has(id)) return false;
   const auto scan = read_scan_folder(scan_folder(id));
   if (!scan.is_ok()) return false;
   const auto file = MappedFile::open(scan_folder(id) / original_file_name(scan->format));
-  if (!file.is_ok() || may_have_pictures(file->bytes(), scan->format)) return false;
-  without_pictures_.add(id);
-  return true;
+  if (!file.is_ok()) return false;
+  const bool may_have_some = may_have_pictures(file->bytes(), scan->format);
+  (may_have_some ? maybe_with_pictures_ : without_pictures_).add(id);
+  return !may_have_some;
 }
 
 Result<bool> MeshStore::may_show_pictures(const std::string& id, const Progress& progress) {
@@ -70,8 +71,7 @@ Result<std::shared_ptr<const ScanSheets>> MeshStore::open_sheets(const std::stri
   ASSIGN_OR_RETURN(const auto pages, open_pages(id, progress));
   auto sheets = open_sheet_file(pages);
   if (sheets.is_ok() || !is_to_be_made(sheets.status().code())) return sheets;
-  ASSIGN_OR_RETURN(const auto lock,
-                   lock_or_cancel(preparing_, "waiting for another scan", progress));
+  ASSIGN_OR_RETURN(const auto turn, wait_to_prepare(id, progress));
   sheets = open_sheet_file(pages);  // somebody else may have made them meanwhile
   if (sheets.is_ok() || !is_to_be_made(sheets.status().code())) return sheets;
   if (sheets.status().code() != StatusCode::kNotFound)

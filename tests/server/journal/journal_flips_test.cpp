@@ -21,7 +21,7 @@ constexpr int kSessions = 3;
 constexpr uint64_t kFlippedEdits = 100;
 
 std::string id_of(int session) {
-  return "0123456789abcde" + std::to_string(session);
+  return "0123456789abcde" + std::string(1, static_cast<char>('0' + session));
 }
 
 AuthoredEdit edit_of(uint64_t number) {

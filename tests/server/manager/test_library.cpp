@@ -21,7 +21,10 @@ Result<ImportOutcome> TestLibrary::import(const std::string& bytes, const std::s
                                           const Progress& progress, int depth, MeshFormat format) {
   const ImportHeader header{name, format, bytes.size(), "", {depth, 0}};
   ASSIGN_OR_RETURN(const auto upload, store->begin_upload(header));
-  RETURN_IF_ERROR(upload->append(0, bytes, chunk_crc32(bytes)));
+  for (size_t begin = 0; begin < bytes.size(); begin += kChunkBytesMax) {
+    const std::string chunk = bytes.substr(begin, kChunkBytesMax);
+    RETURN_IF_ERROR(upload->append(begin, chunk, chunk_crc32(chunk)));
+  }
   return store->import(*upload, header, progress);
 }
 

@@ -13,7 +13,7 @@ class TestLibrary {
  public:
   explicit TestLibrary(const MeshStoreOptions& options = {});
 
-  /// Imports the bytes of a file through an upload in one chunk.
+  /// Imports the bytes of a file through an upload.
   Result<ImportOutcome> import(const std::string& bytes, const std::string& name,
                                const Progress& progress = {}, int depth = 5,
                                MeshFormat format = MeshFormat::kPly);

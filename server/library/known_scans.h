@@ -7,9 +7,9 @@
 
 namespace burnish {
 
-/// The scans that were read to the end and show no picture. An id names the bytes of a scan, so
-/// none ever gets one. Thread-safe.
-class ScansWithoutPictures {
+/// Scans of which something is known. An id names the bytes of a scan, so it stays true.
+/// Thread-safe.
+class KnownScans {
  public:
   /// Beyond so many any one is forgotten.
   static constexpr size_t kScansMax = 1000;

@@ -1,0 +1,113 @@
+#include "server/library/preparing_line.h"
+
+#include <functional>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "common/generate/generate.h"
+#include "common/mesh/mesh_io.h"
+#include "tests/server/manager/test_library.h"
+
+namespace burnish {
+namespace {
+
+constexpr PreparedKey kPrepared{5, 0};
+
+/// Gives up as soon as it has to wait in line.
+bool is_not_waiting(std::string_view phase, double) {
+  return !phase.starts_with("waiting");
+}
+
+TEST(PreparingLine, ASmallScanHasATurnBesideALargeOneAndAnotherLargeOneWaits) {
+  PreparingLine line;
+  const auto large = line.wait("wall", false, {});
+  EXPECT_TRUE(line.wait("coin", true, is_not_waiting).is_ok());
+  EXPECT_EQ(line.wait("dome", false, is_not_waiting).status().code(), StatusCode::kCancelled);
+  const auto small = line.wait("coin", true, {});
+  EXPECT_EQ(line.wait("ring", true, is_not_waiting).status().code(), StatusCode::kCancelled);
+}
+
+TEST(PreparingLine, TheSameScanHasOneTurnAtATime) {
+  PreparingLine line;
+  const auto turn = line.wait("coin", false, {});
+  EXPECT_EQ(line.wait("coin", true, is_not_waiting).status().code(), StatusCode::kCancelled);
+}
+
+/// Returns a small sphere after so many bytes of comments.
+std::string padded_sphere_file(size_t bytes) {
+  const TemporaryFolder folder;
+  const auto path = folder / "sphere.obj";
+  EXPECT_TRUE(write_mesh(make_icosphere(1, 1.0), path).is_ok());
+  std::string comments(bytes, 'x');
+  for (size_t i = 0; i + 2 < bytes; i += 80) comments.replace(i, 2, "\n#");
+  return comments + '\n' + content_of(path);
+}
+
+/// Runs `meanwhile` once, while the library prepares a scan that it takes for a large or small one.
+void while_it_prepares(TestLibrary& library, size_t file_bytes,
+                       const std::function<void()>& meanwhile) {
+  bool is_done = false;
+  const auto progress = [&](std::string_view, double) {
+    if (!std::exchange(is_done, true)) meanwhile();
+    return true;
+  };
+  const auto imported =
+      library.import(padded_sphere_file(file_bytes), "other", progress, 5, MeshFormat::kObj);
+  EXPECT_TRUE(imported.is_ok()) << imported.status().message();
+  EXPECT_TRUE(is_done);
+}
+
+constexpr size_t kLarge = size_t{12} << 20;
+constexpr size_t kSmall = 1000;
+
+TEST(PreparingScans, ASmallScanIsImportedWhileALargeOneIs) {
+  TestLibrary library;
+  while_it_prepares(library, kLarge, [&] {
+    const auto ball = library.import(sphere_file(), "ball", is_not_waiting);
+    ASSERT_TRUE(ball.is_ok()) << ball.status().message();
+    const auto mesh = library.store->open_mesh(ball->scan.id, kPrepared, is_not_waiting);
+    EXPECT_TRUE(mesh.is_ok()) << mesh.status().message();
+  });
+  EXPECT_EQ(library.store->list().size(), 2u);
+}
+
+TEST(PreparingScans, ALargeOneWaitsForALargeOne) {
+  TestLibrary library;
+  while_it_prepares(library, kLarge, [&] {
+    const auto second = library.import(padded_sphere_file(kLarge + 1), "second", is_not_waiting, 5,
+                                       MeshFormat::kObj);
+    EXPECT_EQ(second.status().code(), StatusCode::kCancelled);
+  });
+}
+
+TEST(PreparingScans, WithLittleMemoryASmallScanWaitsForALargeOne) {
+  TestLibrary library;
+  const Quota::Share taken =
+      library.store->memory().take(kServer, library.store->memory().max() - (1 << 28)).value();
+  while_it_prepares(library, kLarge, [&] {
+    const auto second = library.import(padded_sphere_file(kLarge / 3), "second", is_not_waiting, 5,
+                                       MeshFormat::kObj);
+    EXPECT_EQ(second.status().code(), StatusCode::kCancelled);
+  });
+}
+
+TEST(PreparingScans, WhatIsPreparedAndKeptWaitsForNobody) {
+  TestLibrary library;
+  const ScanInfo ball = library.import(sphere_file(), "ball")->scan;
+  {
+    const auto made = library.store->open_mesh(ball.id, kPrepared, {}).value();
+    library.store->keep_hierarchy(ball.id, kPrepared, made).wait();
+  }
+  while_it_prepares(library, kSmall, [&] {
+    EXPECT_TRUE(library.store->prepare_scan(ball.id, kPrepared, is_not_waiting).is_ok());
+    const auto mesh = library.store->open_mesh(ball.id, kPrepared, is_not_waiting);
+    ASSERT_TRUE(mesh.is_ok()) << mesh.status().message();
+    EXPECT_TRUE((*mesh)->is_kept);
+    EXPECT_EQ(library.store->prepare_scan(ball.id, {6, 0}, is_not_waiting).code(),
+              StatusCode::kCancelled);
+  });
+}
+
+}  // namespace
+}  // namespace burnish
