@@ -79,6 +79,14 @@ test("WhatDidNotComeEarlyIsAskedForAgain", async () => {
   assert.equal(textOf(await parts.read([parts.block(0)])[0]!), "block");
 });
 
+test("AWebServerWithoutRangesIsToldThoughTheBrowserKeepsItsAnswer", async () => {
+  const parts = await Parts.open(kBase, kCounts);
+  const good = answerRange;
+  answerRange = (begin, end) => (begin === 0 ? new Response(kBytes) : good(begin, end));
+  parts.comeEarly();
+  for (const page of parts.pages([2, 0], never)) await assert.rejects(page, useless(/does not send parts/));
+});
+
 test("SheetsAreFoundByPageAndHalving", async () => {
   const parts = await Parts.open(kBase, kCounts);
   const wanted = [parts.sheetBlock(0), parts.charts(1), parts.sheet(1, 1), parts.sheet(2, 0)];

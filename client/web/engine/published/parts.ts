@@ -38,6 +38,11 @@ interface Early {
 export class Parts {
   private readonly tiles = new Map<number, Promise<Uint8Array>>();
   private early: Early[] = [];
+  /**
+   * Fails if what came early is useless. Each part waits for it: of a file that a web server sent as a whole, a browser
+   * may have kept it all, and makes parts of it, but only of a small one.
+   */
+  private checked: Promise<unknown> = Promise.resolve();
 
   private constructor(
     private readonly file: string,
@@ -75,7 +80,11 @@ export class Parts {
     if (range.begin === range.end) return;
     const early = { first, end, bytes: quiet(this.fetchRange(range)) };
     this.early.push(early);
-    early.bytes.catch(() => (this.early = this.early.filter((one) => one !== early))); // the next reader asks again
+    const checked = early.bytes.catch((error) => {
+      if (error instanceof Useless) throw error;
+      this.early = this.early.filter((one) => one !== early); // the next reader asks again
+    });
+    this.checked = quiet(Promise.all([this.checked, checked]));
   }
 
   // The order of client/publish/page_parts.h.
@@ -108,8 +117,10 @@ export class Parts {
   read(parts: number[], signal?: AbortSignal): Promise<Uint8Array>[] {
     const empty = Promise.resolve(new Uint8Array());
     const found = new Map<number, Promise<Uint8Array>>();
-    const take = (part: number, begin: number, bytes: Promise<Uint8Array>) =>
-      found.set(part, quiet(bytes.then((all) => all.subarray(this.places[part]! - begin, this.places[part + 1]! - begin))));
+    const take = (part: number, begin: number, bytes: Promise<Uint8Array>) => {
+      const [from, to] = [this.places[part]! - begin, this.places[part + 1]! - begin];
+      found.set(part, quiet(this.checked.then(() => bytes).then((all) => all.subarray(from, to))));
+    };
     for (const part of parts) {
       const early = this.early.find(({ first, end }) => first <= part && part < end);
       if (early) take(part, this.places[early.first]!, early.bytes);
