@@ -11,6 +11,7 @@ import { ExportDialog } from "./export_dialog";
 import { ColourBar, Hud, LostNote } from "./hud";
 import type { PageActions } from "./key_actions";
 import { KeyHelp } from "./key_help";
+import { useKeyListeners } from "./key_listeners";
 import { handleKeyDown, handleKeyUp } from "./keys";
 import { MenuBar, type Shown } from "./menu_bar";
 import { MessageLog, Toasts } from "./messages";
@@ -157,21 +158,13 @@ function Stopped({ link, reason }: { link: EngineLink; reason: string }) {
 }
 
 function useKeys(link: EngineLink, page: PageActions): void {
-  useEffect(() => {
-    const context = () => ({ link, page, document: link.state.snapshot?.document ?? null });
-    const isModal = () => window.document.querySelector("dialog[open]") !== null;
-    const down = (event: KeyboardEvent) => !isModal() && handleKeyDown(event, context());
-    const up = (event: KeyboardEvent) => handleKeyUp(event, context());
-    const visible = () => link.post({ kind: "visible", is: !window.document.hidden });
-    window.addEventListener("keydown", down);
-    window.addEventListener("keyup", up);
-    window.document.addEventListener("visibilitychange", visible);
-    return () => {
-      window.removeEventListener("keydown", down);
-      window.removeEventListener("keyup", up);
-      window.document.removeEventListener("visibilitychange", visible);
-    };
-  });
+  const context = () => ({ link, page, document: link.state.snapshot?.document ?? null });
+  const isModal = () => window.document.querySelector("dialog[open]") !== null;
+  useKeyListeners(
+    link,
+    (event) => !isModal() && handleKeyDown(event, context()),
+    (event) => handleKeyUp(event, context()),
+  );
 }
 
 /** A mesh file that is dropped anywhere on the page is imported. */

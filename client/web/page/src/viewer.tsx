@@ -8,6 +8,7 @@ import { Button, Choice } from "./controls";
 import type { EngineLink } from "./engine_link";
 import { LostNote, simplified } from "./hud";
 import { keyActions } from "./key_actions";
+import { useKeyListeners } from "./key_listeners";
 import { keyOf } from "./keys";
 import { kLights } from "./light_panel";
 import { Toasts } from "./messages";
@@ -118,27 +119,16 @@ export const Useless = ({ reason }: { reason: string }) => (
 );
 
 function useViewerKeys(link: EngineLink, document: Document | null): void {
-  useEffect(() => {
-    const isHeld = (event: KeyboardEvent) => event.key === " " && !(event.target instanceof HTMLButtonElement);
-    const down = (event: KeyboardEvent) => {
-      if (!document || event.target instanceof HTMLSelectElement) return;
-      const action = keyActions.find(({ name, keys }) => kKeys.includes(name) && keys.includes(keyOf(event)));
-      if (!action && !isHeld(event)) return;
-      event.preventDefault();
-      if (isHeld(event) && !event.repeat) link.send(command.original(true));
-      action?.run({ link, document, page: kNoActions });
-    };
-    const up = (event: KeyboardEvent) => document && isHeld(event) && link.send(command.original(false));
-    const visible = () => link.post({ kind: "visible", is: !window.document.hidden });
-    window.addEventListener("keydown", down);
-    window.addEventListener("keyup", up);
-    window.document.addEventListener("visibilitychange", visible);
-    return () => {
-      window.removeEventListener("keydown", down);
-      window.removeEventListener("keyup", up);
-      window.document.removeEventListener("visibilitychange", visible);
-    };
-  });
+  const isHeld = (event: KeyboardEvent) => event.key === " " && !(event.target instanceof HTMLButtonElement);
+  const down = (event: KeyboardEvent) => {
+    if (!document || event.target instanceof HTMLSelectElement) return;
+    const action = keyActions.find(({ name, keys }) => kKeys.includes(name) && keys.includes(keyOf(event)));
+    if (!action && !isHeld(event)) return;
+    event.preventDefault();
+    if (isHeld(event) && !event.repeat) link.send(command.original(true));
+    action?.run({ link, document, page: kNoActions });
+  };
+  useKeyListeners(link, down, (event) => document && isHeld(event) && link.send(command.original(false)));
 }
 
 const nothing = () => {};
