@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <future>
+#include <memory>
 #include <new>
 #include <stdexcept>
 
@@ -39,8 +40,9 @@ TEST(Executor, RunsEverythingThatWasPostedBeforeItEnds) {
 }
 
 TEST(Executor, WorkThatThrowsFailsAloneAndTheNextRuns) {
-  Executor executor(1);
   std::promise<Status> no_memory, other;
+  std::promise<void> next;
+  Executor executor(1);
   executor.post(
       {[] { throw std::bad_alloc(); }, [&](const Status& status) { no_memory.set_value(status); }});
   executor.post({[] { throw std::runtime_error("by design"); },
@@ -50,7 +52,6 @@ TEST(Executor, WorkThatThrowsFailsAloneAndTheNextRuns) {
   const Status status = other.get_future().get();
   EXPECT_EQ(status.code(), StatusCode::kInternal);
   EXPECT_THAT(status.message(), testing::HasSubstr("by design"));
-  std::promise<void> next;
   executor.post([&] { next.set_value(); });
   next.get_future().wait();
 }
@@ -71,15 +72,15 @@ TEST(Executor, HoldersTakeTurnsHoweverMuchOneOfThemHasWaiting) {
 }
 
 TEST(Executor, AHolderThatWaitsInAllItsThreadsLeavesTheOthersFree) {
-  Executor executor({.threads = 3, .threads_per_holder = 2});
   Gate first, second;
   std::atomic<bool> third_ran{false};
+  std::promise<void> bert;
+  Executor executor({.threads = 3, .threads_per_holder = 2});
   executor.post({first.work(), {}, "anna"});
   executor.post({second.work(), {}, "anna"});
   executor.post({[&] { third_ran = true; }, {}, "anna"});
   first.wait_until_started();
   second.wait_until_started();
-  std::promise<void> bert;
   executor.post({[&] { bert.set_value(); }, {}, "bert"});
   bert.get_future().wait();
   EXPECT_FALSE(third_ran);
@@ -140,14 +141,15 @@ TEST_F(FullExecutor, RefusesWhatAllHoldersTogetherAskBeyondTheLimit) {
 TEST(ExecutorBytes, ComeBackWhenTheWorkIsDone) {
   Executor executor({.threads = 1, .bytes_per_holder = 100, .bytes_max = 100});
   for (int i = 0; i < 3; ++i) {
-    std::promise<void> done;
+    const auto done =
+        std::make_shared<std::promise<void>>();  // its setter may end after its waiter
     std::atomic<bool> refused{true};
     while (refused) {  // the last piece gives its bytes back a moment after its work
       refused = false;
       executor.post(
-          {[&] { done.set_value(); }, [&](const Status&) { refused = true; }, "anna", 100});
+          {[done] { done->set_value(); }, [&](const Status&) { refused = true; }, "anna", 100});
     }
-    done.get_future().wait();
+    done->get_future().wait();
   }
 }
 
