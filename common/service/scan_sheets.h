@@ -29,6 +29,7 @@ struct SheetsWish {
   std::vector<uint32_t> blocks;
   std::vector<uint32_t> charts;  ///< numbers of pages
   std::vector<SheetNumber> sheets;
+  uint64_t version = 0;  ///< SheetsDescription::version
 };
 
 /// An encoded sheet, in the format of common/sheets/sheet_format.h.
@@ -41,6 +42,7 @@ struct SheetPart {
 struct SheetsDescription {
   std::vector<uint8_t> head;     ///< empty: the scan has no pictures
   std::vector<PagePart> blocks;  ///< rising; the last holds the root
+  uint64_t version = 0;          ///< of levelled sheets; 0: the scan's own
 
   bool has_sheets() const { return !head.empty(); }
 };

@@ -22,6 +22,7 @@ v1::FetchSheetsRequest to_wire(const SheetsWish& wish) {
   message.mutable_blocks()->Assign(wish.blocks.begin(), wish.blocks.end());
   message.mutable_charts()->Assign(wish.charts.begin(), wish.charts.end());
   for (const SheetNumber& sheet : wish.sheets) *message.add_sheets() = to_wire(sheet);
+  message.set_version(wish.version);
   return message;
 }
 
@@ -36,7 +37,8 @@ Result<SheetsWish> from_wire(const v1::FetchSheetsRequest& message) {
   SheetsWish wish{message.scan(),
                   {message.blocks().begin(), message.blocks().end()},
                   {message.charts().begin(), message.charts().end()},
-                  {}};
+                  {},
+                  message.version()};
   for (const v1::SheetNumber& sheet : message.sheets()) wish.sheets.push_back(from_wire(sheet));
   return wish;
 }
@@ -56,6 +58,7 @@ v1::SheetsDescription to_wire(const SheetsDescription& description) {
   v1::SheetsDescription message;
   message.set_head(description.head.data(), description.head.size());
   for (const PagePart& block : description.blocks) *message.add_blocks() = to_wire(block);
+  message.set_version(description.version);
   return message;
 }
 
@@ -63,6 +66,7 @@ SheetsDescription from_wire(const v1::SheetsDescription& message) {
   SheetsDescription description;
   description.head.assign(message.head().begin(), message.head().end());
   for (const v1::PagePart& block : message.blocks()) description.blocks.push_back(from_wire(block));
+  description.version = message.version();
   return description;
 }
 

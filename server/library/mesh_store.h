@@ -13,6 +13,7 @@
 #include "common/base/status.h"
 #include "common/edit/proposed_edges.h"
 #include "common/mesh/rewrite/rewrite.h"
+#include "common/mesh/rewrite/seam_wish.h"
 #include "common/service/scan_info.h"
 #include "common/service/scan_pages.h"
 #include "common/service/scan_sheets.h"
@@ -142,10 +143,12 @@ class MeshStore {
   Status read_pages(const std::string& id, const PagesWish& wish, const PageTaker& take,
                     const Progress& progress);
 
-  /// Describes a scan's sheets. Makes missing and damaged ones now, and the pages before. The head
-  /// is empty if the scan shows no picture. Fails: as describe_pages(); data_loss (damaged pages,
-  /// which are made again with the next call).
-  Result<SheetsDescription> describe_sheets(const std::string& id, const Progress& progress);
+  /// Describes a scan's sheets, with their seams levelled if it is wished. Makes missing and
+  /// damaged ones now, and the pages before. The head is empty if the scan shows no picture. Keeps
+  /// levelled sheets of the last kLevelledSheetsMax wishes. Fails: as describe_pages(); data_loss
+  /// (damaged pages, which are made again with the next call).
+  Result<SheetsDescription> describe_sheets(const std::string& id, const Progress& progress,
+                                            const SeamWish& seams = {});
 
   /// Returns whether a scan is known to show no picture: its original is here, and its directory
   /// names none. Reads the directory once.
@@ -153,8 +156,8 @@ class MeshStore {
 
   /// Reads blocks, charts and sheets in the order of the wish, and hands them over one by one.
   /// Fails: invalid_argument naming a part that the scan does not have; failed_precondition when
-  /// the scan has no sheets; data_loss when they are damaged: the next describe_sheets() makes them
-  /// again; cancelled.
+  /// the scan has no sheets of this version; data_loss when they are damaged: the next
+  /// describe_sheets() makes them again; cancelled.
   struct SheetTaker {
     std::function<void(const PagePart&)> block;
     std::function<void(const PagePart&)> charts;
@@ -250,15 +253,16 @@ class MeshStore {
   std::filesystem::path pages_path(const std::string& id) const;
   Status make_pages(const std::string& id, const Progress& progress);
   Result<std::shared_ptr<const ScanPages>> open_page_file(const std::string& id);
-  std::filesystem::path sheets_path(const std::string& id) const;
+  std::filesystem::path sheets_path(const std::string& id, uint64_t version) const;
   Result<bool> may_show_pictures(const std::string& id, const Progress& progress);
-  Result<bool> make_sheets(const ScanPages& pages, const Progress& progress);
+  Result<bool> make_sheets(const ScanPages& pages, const SeamWish& seams, const Progress& progress);
   Result<std::shared_ptr<const ScanSheets>> open_sheet_file(
-      const std::shared_ptr<const ScanPages>& pages);
+      const std::shared_ptr<const ScanPages>& pages, uint64_t version);
   Result<std::shared_ptr<const ScanSheets>> open_sheets(const std::string& id,
+                                                        const SeamWish& seams,
                                                         const Progress& progress);
-  Result<std::shared_ptr<const ScanSheets>> find_sheets(const std::string& id);
-  void drop_damaged_sheets(const std::string& id, const Status& damage);
+  Result<std::shared_ptr<const ScanSheets>> find_sheets(const std::string& id, uint64_t version);
+  void drop_damaged_sheets(const std::string& id, uint64_t version, const Status& damage);
 
   Result<EdgeProposal> measure_noise(const std::string& id, const Progress& progress);
   void drop_damaged_pages(const std::string& id, const Status& damage);

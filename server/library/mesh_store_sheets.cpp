@@ -6,8 +6,10 @@
 
 #include "common/base/mapped_file.h"
 #include "common/mesh/mesh_io.h"
+#include "common/mesh/rewrite/moved_mesh.h"
 #include "common/mesh/textured_surface.h"
 #include "common/pages/directory_codec.h"
+#include "server/library/levelled_sheets.h"
 #include "server/library/mesh_store.h"
 #include "server/library/read_original.h"
 #include "server/library/scan_record.h"
@@ -20,21 +22,25 @@ namespace fs = std::filesystem;
 
 static constexpr size_t kDescribedSheetBlockBytesMax = 64 << 10;
 
-fs::path MeshStore::sheets_path(const std::string& id) const {
-  return scan_folder(id) / sheets_file_name();
+fs::path MeshStore::sheets_path(const std::string& id, uint64_t version) const {
+  return scan_folder(id) / sheets_file_name(version);
+}
+
+static auto is_of(uint64_t version) {
+  return [version](const ScanSheets& sheets) { return sheets.version == version; };
 }
 
 Result<std::shared_ptr<const ScanSheets>> MeshStore::open_sheet_file(
-    const std::shared_ptr<const ScanPages>& pages) {
+    const std::shared_ptr<const ScanPages>& pages, uint64_t version) {
   const uint64_t fingerprint = pages_fingerprint(pages->file.head_bytes());
-  const auto open = sheets_.find(pages->scan_id);
+  const auto open = sheets_.find(pages->scan_id, is_of(version));
   if (open && open->file.head().pages_fingerprint == fingerprint) return open;
-  sheets_.forget(pages->scan_id);
-  auto file =
-      SheetFile::open(sheets_path(pages->scan_id), pages->file.directory().head, fingerprint);
+  sheets_.forget(pages->scan_id, is_of(version));
+  auto file = SheetFile::open(sheets_path(pages->scan_id, version), pages->file.directory().head,
+                              fingerprint);
   RETURN_IF_ERROR(file.status());
-  const auto sheets =
-      std::make_shared<ScanSheets>(ScanSheets{pages->scan_id, pages, std::move(file).value(), {}});
+  const auto sheets = std::make_shared<ScanSheets>(
+      ScanSheets{pages->scan_id, version, pages, std::move(file).value(), {}});
   ASSIGN_OR_RETURN(sheets->memory, memory_.take(kServer, sheets->file.byte_count()));
   sheets_.add(sheets);
   return std::shared_ptr<const ScanSheets>(sheets);
@@ -65,25 +71,43 @@ Result<bool> MeshStore::may_show_pictures(const std::string& id, const Progress&
 }
 
 Result<std::shared_ptr<const ScanSheets>> MeshStore::open_sheets(const std::string& id,
+                                                                 const SeamWish& seams,
                                                                  const Progress& progress) {
+  const uint64_t version = seams_version(seams);
   ASSIGN_OR_RETURN(const bool may_have_sheets, may_show_pictures(id, progress));
   if (!may_have_sheets) return std::shared_ptr<const ScanSheets>();
   ASSIGN_OR_RETURN(const auto pages, open_pages(id, progress));
-  auto sheets = open_sheet_file(pages);
+  auto sheets = open_sheet_file(pages, version);
   if (sheets.is_ok() || !is_to_be_made(sheets.status().code())) return sheets;
   ASSIGN_OR_RETURN(const auto turn, wait_to_prepare(id, progress));
-  sheets = open_sheet_file(pages);  // somebody else may have made them meanwhile
+  sheets = open_sheet_file(pages, version);  // somebody else may have made them meanwhile
   if (sheets.is_ok() || !is_to_be_made(sheets.status().code())) return sheets;
   if (sheets.status().code() != StatusCode::kNotFound)
     spdlog::warn("making sheets again: {}", sheets.status().message());
   if (without_pictures_.has(id)) return std::shared_ptr<const ScanSheets>();
-  ASSIGN_OR_RETURN(const bool is_made, make_sheets(*pages, progress));
-  if (is_made) return open_sheet_file(pages);
+  ASSIGN_OR_RETURN(const bool is_made, make_sheets(*pages, seams, progress));
+  if (is_made) return open_sheet_file(pages, version);
   without_pictures_.add(id);
   return std::shared_ptr<const ScanSheets>();
 }
 
-Result<bool> MeshStore::make_sheets(const ScanPages& pages, const Progress& progress) {
+/// Levels the seams of a surface, if it is wished. Hears the budget and a cancel.
+static Result<std::optional<LevelledSeams>> level(const TexturedSurface& surface,
+                                                  const SeamWish& seams, const std::string& name,
+                                                  LibraryBudget& budget, const Progress& progress) {
+  if (!seams.is_on()) return std::optional<LevelledSeams>();
+  if (!seams.free.empty() && seams.free.size() != surface.mesh.vertices.size())
+    return changed_original(name, "it has another number of vertices");
+  const auto ask = [&, heard = heard_budget(progress, "levelling seams")](uint64_t bytes) {
+    const Status goes_on = heard(0);
+    return goes_on.is_ok() && bytes > 0 ? budget.ask_for_picture(bytes) : goes_on;
+  };
+  ASSIGN_OR_RETURN(LevelledSeams levelled, level_seams(surface, seams, ask));
+  return std::optional(std::move(levelled));
+}
+
+Result<bool> MeshStore::make_sheets(const ScanPages& pages, const SeamWish& seams,
+                                    const Progress& progress) {
   const fs::path folder = scan_folder(pages.scan_id);
   ASSIGN_OR_RETURN(const ScanInfo scan, read_scan_folder(folder));
   if (!report(progress, "reading", 0)) return cancelled("making sheets was cancelled");
@@ -95,10 +119,16 @@ Result<bool> MeshStore::make_sheets(const ScanPages& pages, const Progress& prog
   ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(original));
   bool is_made = false;
   SheetsReport made;
+  const fs::path path = sheets_path(pages.scan_id, seams_version(seams));
   const auto build = [&](const TexturedSurface& surface) -> Status {
-    const SheetsOptions options = {options_.threads, &budget, budget.space(), held_bytes};
-    const auto built = build_sheets({surface, pages.file, scan.name}, sheets_path(pages.scan_id),
-                                    options, progress, &made);
+    const auto levelled = level(surface, seams, scan.name, budget, progress);
+    if (levelled.status().code() == StatusCode::kFailedPrecondition) return Status::ok();
+    RETURN_IF_ERROR(levelled.status());
+    const LevelledSeams* factors = *levelled ? &**levelled : nullptr;
+    const uint64_t bytes = factors != nullptr ? factors->byte_count() : 0;
+    const SheetsOptions options = {options_.threads, &budget, budget.space(), held_bytes + bytes};
+    const auto built =
+        build_sheets({surface, pages.file, scan.name, factors}, path, options, progress, &made);
     if (built.status().code() == StatusCode::kDataLoss)
       drop_damaged_pages(pages.scan_id, built.status());
     RETURN_IF_ERROR(built.status());
@@ -113,11 +143,11 @@ Result<bool> MeshStore::make_sheets(const ScanPages& pages, const Progress& prog
   return is_made;
 }
 
-void MeshStore::drop_damaged_sheets(const std::string& id, const Status& damage) {
+void MeshStore::drop_damaged_sheets(const std::string& id, uint64_t version, const Status& damage) {
   spdlog::warn("a sheet file is damaged and goes: {}", damage.message());
-  sheets_.forget(id);
+  sheets_.forget(id, is_of(version));
   std::error_code ignored;
-  fs::remove(sheets_path(id), ignored);
+  fs::remove(sheets_path(id, version), ignored);
 }
 
 // The coarsest blocks are the last ones; a client begins with them.
@@ -134,14 +164,18 @@ static Result<std::vector<PagePart>> last_sheet_blocks(const SheetFile& file) {
 }
 
 Result<SheetsDescription> MeshStore::describe_sheets(const std::string& id,
-                                                     const Progress& progress) {
-  ASSIGN_OR_RETURN(const auto sheets, open_sheets(id, progress));
+                                                     const Progress& progress,
+                                                     const SeamWish& seams) {
+  ASSIGN_OR_RETURN(const auto sheets, open_sheets(id, seams, progress));
   SheetsDescription description;
   if (sheets == nullptr) return description;
+  description.version = sheets->version;
+  if (sheets->version != 0) keep_levelled_sheets(scan_folder(id), sheets->version);
   const auto head = sheets->file.head_bytes();
   description.head.assign(head.begin(), head.end());
   auto blocks = last_sheet_blocks(sheets->file);
-  if (blocks.status().code() == StatusCode::kDataLoss) drop_damaged_sheets(id, blocks.status());
+  if (blocks.status().code() == StatusCode::kDataLoss)
+    drop_damaged_sheets(id, sheets->version, blocks.status());
   RETURN_IF_ERROR(blocks.status());
   description.blocks = std::move(blocks).value();
   return description;
@@ -194,20 +228,22 @@ static Status read_sheet_parts(const SheetFile& file, const SheetsWish& wish,
 
 Status MeshStore::read_sheets(const std::string& id, const SheetsWish& wish, const SheetTaker& take,
                               const Progress& progress) {
-  ASSIGN_OR_RETURN(const auto sheets, find_sheets(id));
+  ASSIGN_OR_RETURN(const auto sheets, find_sheets(id, wish.version));
   RETURN_IF_ERROR(check_sheets_wish(*sheets, wish));
   const Status status = read_sheet_parts(sheets->file, wish, take, progress);
-  if (status.code() == StatusCode::kDataLoss) drop_damaged_sheets(id, status);
+  if (status.code() == StatusCode::kDataLoss) drop_damaged_sheets(id, wish.version, status);
   return status;
 }
 
-Result<std::shared_ptr<const ScanSheets>> MeshStore::find_sheets(const std::string& id) {
-  const auto none =
-      failed_precondition("scan " + short_id(id) + " has no sheets; call DescribeSheets");
+Result<std::shared_ptr<const ScanSheets>> MeshStore::find_sheets(const std::string& id,
+                                                                 uint64_t version) {
+  const std::string of_version = version == 0 ? "" : " of version " + std::to_string(version);
+  const auto none = failed_precondition("scan " + short_id(id) + " has no sheets" + of_version +
+                                        "; call DescribeSheets");
   const auto pages = open_page_file(id);
   if (is_to_be_made(pages.status().code())) return none;
   RETURN_IF_ERROR(pages.status());
-  auto sheets = open_sheet_file(*pages);
+  auto sheets = open_sheet_file(*pages, version);
   if (is_to_be_made(sheets.status().code())) return none;
   return sheets;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -21,6 +22,7 @@ using OpenPages = OpenFiles<ScanPages>;
 /// An open sheet file with its share of the server's memory.
 struct ScanSheets {
   std::string scan_id;
+  uint64_t version = 0;                    ///< of levelled seams; 0: the scan's own sheets
   std::shared_ptr<const ScanPages> pages;  ///< that it belongs to
   SheetFile file;
   Quota::Share memory;  ///< for the directory; sheets stay on the disk

@@ -1,6 +1,7 @@
 #include "server/library/scan_record.h"
 
 #include <algorithm>
+#include <cinttypes>
 #include <cstdio>
 
 #include <nlohmann/json.hpp>
@@ -133,12 +134,45 @@ std::optional<uint32_t> pages_file_version(const std::string& name) {
   return version_in(name, "pages");
 }
 
-std::string sheets_file_name() {
-  return versioned_name("sheets", kSheetFormatVersion);
+static std::string sheets_name(uint32_t format, uint64_t seams) {
+  if (seams == 0) return versioned_name("sheets", format);
+  char text[80];
+  std::snprintf(text, sizeof text, "sheets-format%u-seams%016" PRIx64 ".sheets", format, seams);
+  return text;
+}
+
+namespace {
+
+struct SheetsName {
+  uint32_t format = 0;
+  uint64_t seams = 0;
+};
+
+std::optional<SheetsName> parse_sheets_name(const std::string& name) {
+  SheetsName parsed;
+  unsigned format = 0;
+  if (std::sscanf(name.c_str(), "sheets-format%u-seams%16" SCNx64, &format, &parsed.seams) < 1)
+    return std::nullopt;
+  parsed.format = format;
+  if (sheets_name(parsed.format, parsed.seams) != name) return std::nullopt;
+  return parsed;
+}
+
+}  // namespace
+
+std::string sheets_file_name(uint64_t seams) {
+  return sheets_name(kSheetFormatVersion, seams);
+}
+
+std::optional<uint64_t> seams_in_sheets_file_name(const std::string& name) {
+  const auto parsed = parse_sheets_name(name);
+  if (!parsed || parsed->seams == 0 || parsed->format != kSheetFormatVersion) return std::nullopt;
+  return parsed->seams;
 }
 
 std::optional<uint32_t> sheets_file_version(const std::string& name) {
-  return version_in(name, "sheets");
+  const auto parsed = parse_sheets_name(name);
+  return parsed ? std::optional(parsed->format) : std::nullopt;
 }
 
 // Returns 0 for a missing file: a hierarchy is written some time after its prepared mesh, or never.

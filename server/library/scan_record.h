@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -40,10 +41,14 @@ std::string pages_file_name();
 /// Returns the version in such a name; nothing for other names.
 std::optional<uint32_t> pages_file_version(const std::string& name);
 
-/// Returns "sheets-format1.sheets", with the version of the sheet file.
-std::string sheets_file_name();
+/// Returns "sheets-format1.sheets", with the version of the sheet file, or of levelled sheets
+/// "sheets-format1-seams00000000000000ff.sheets". `seams`: seams_version(); 0: the scan's own.
+std::string sheets_file_name(uint64_t seams = 0);
 
-/// Returns the version in such a name; nothing for other names.
+/// Returns the version of levelled sheets in such a name of this format; nothing for other names.
+std::optional<uint64_t> seams_in_sheets_file_name(const std::string& name);
+
+/// Returns the version of the sheet file in such a name; nothing for other names.
 std::optional<uint32_t> sheets_file_version(const std::string& name);
 
 /// Reads a scan's folder: info.json, and the prepared files by name. Fails: not_found, data_loss;

@@ -126,6 +126,11 @@ class SessionManager {
   Status visit(const std::string& reference, const Caller& caller,
                const std::function<Status(Session&)>& work, const Progress& progress = {});
 
+  /// Returns how much of the seams of a scan's pictures a session levels, by its edits so far.
+  /// Fails: as visit(); invalid_argument if the session edits another scan.
+  Result<SeamLevelling> seams(const std::string& reference, const std::string& scan_id,
+                              const Caller& caller, const Progress& progress = {});
+
   /// Returns the people in the session; lives as long as the session. Fails: not_found.
   Result<std::shared_ptr<Presence>> presence(const std::string& reference) const;
 

@@ -217,6 +217,18 @@ Status SessionManager::visit(const std::string& reference, const Caller& caller,
   return work(*held.entry->session);
 }
 
+Result<SeamLevelling> SessionManager::seams(const std::string& reference,
+                                            const std::string& scan_id, const Caller& caller,
+                                            const Progress& progress) {
+  ASSIGN_OR_RETURN(const Held held, use(reference, caller, progress));
+  const SessionRecord& record = held.entry->record;
+  if (record.scan_id != scan_id)
+    return invalid_argument("session " + record.name + " edits the scan " +
+                            store_.name_of(record.scan_id) + ", not " + store_.name_of(scan_id));
+  RETURN_IF_ERROR(catch_up(*held.entry, progress));
+  return held.entry->session->seams();
+}
+
 Result<std::shared_ptr<Presence>> SessionManager::presence(const std::string& reference) const {
   const std::shared_ptr<SessionEntry> entry = find(reference);
   if (!entry) return not_found("no session has the name or id '" + reference + "'");

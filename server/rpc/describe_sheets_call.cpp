@@ -21,9 +21,14 @@ Status DescribeSheetsCall::describe() {
   const Progress progress = [this](std::string_view phase, double fraction) {
     return report_progress(phase, fraction);
   };
-  ASSIGN_OR_RETURN(
-      const SheetsDescription description,
-      calls_.store.describe_sheets(scan.id, give_way_to(calls_.live.scheduler(), progress)));
+  const Progress giving_way = give_way_to(calls_.live.scheduler(), progress);
+  SeamLevelling seams;
+  if (request_.has_session()) {
+    ASSIGN_OR_RETURN(seams,
+                     calls_.sessions.seams(request_.session(), scan.id, calls_.caller, giving_way));
+  }
+  ASSIGN_OR_RETURN(const SheetsDescription description,
+                   calls_.store.describe_sheets(scan.id, giving_way, {seams.amount, seams.free}));
   v1::DescribeSheetsEvent event;
   *event.mutable_done() = to_wire(description);
   events_.push(std::move(event));

@@ -9,7 +9,8 @@
 
 namespace burnish {
 
-/// Library.DescribeSheets: progress while the store makes the sheets, then their head.
+/// Library.DescribeSheets: progress while the store makes the sheets, then their head. A session
+/// says how its seams are levelled.
 class DescribeSheetsCall final : public grpc::ServerWriteReactor<v1::DescribeSheetsEvent>,
                                  public SelfOwned<DescribeSheetsCall> {
  public:

@@ -28,7 +28,7 @@ struct ColourChange {
   bool is_there() const { return !on_grid.empty() || texture.filter.changes_colours(); }
 };
 
-/// Says how much of the seams of a scan's pictures is levelled. Exports do it.
+/// Says how much of the seams of a scan's pictures is levelled: in exports, and in sheets.
 struct SeamLevelling {
   double amount = 0;        ///< 0 to 1
   std::vector<float> free;  ///< per vertex, 0 to 1: how much of it may change; empty: all

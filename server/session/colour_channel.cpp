@@ -205,18 +205,6 @@ std::vector<TexelChange> ColourChannel::texels() const {
   return texels;
 }
 
-SeamLevelling ColourChannel::seams() const {
-  SeamLevelling seams{texture_.level_seams, {}};
-  if (seams.amount == 0 || !hold_) return seams;
-  const PreparedMesh& prepared = *on_.prepared;
-  seams.free.resize(prepared.vertices.size());
-  for (size_t v = 0; v < seams.free.size(); ++v) {
-    const int32_t cell = prepared.evaluation[v].cell;
-    seams.free[v] = cell == kNone ? 1 : 1 - hold_->weight[cell];
-  }
-  return seams;
-}
-
 uint64_t ColourChannel::byte_count() const {
   return (solver_ ? solver_->byte_count() : 0) + (mesh_ ? mesh_->byte_count() : 0) +
          fitted_.size() * sizeof(Vec3f) + light_.size() * sizeof(CornerNumber) +

@@ -42,9 +42,6 @@ class ColourChannel {
   std::vector<Rgba8> colours() const;
   /// Returns what the texels at the vertices do. Shapes: one per vertex; empty: none changes.
   std::vector<TexelChange> texels() const;
-  /// Returns how much of the seams is levelled: nothing of what is protected.
-  SeamLevelling seams() const;
-
   uint64_t byte_count() const;
 
  private:

@@ -383,7 +383,18 @@ std::vector<TexelChange> Session::texels() const {
 }
 
 SeamLevelling Session::seams() const {
-  return state_->colour.seams();
+  const Fields& fields = state_->edited.fields();
+  const PreparedMesh& prepared = *state_->prepared;
+  if (prepared.colours.empty()) return {};
+  SeamLevelling seams{fields.texture().level_seams, {}};
+  const auto& hold = fields.colour_hold();
+  if (seams.amount == 0 || !hold) return seams;
+  seams.free.resize(prepared.vertices.size());
+  for (size_t v = 0; v < seams.free.size(); ++v) {
+    const int32_t cell = prepared.evaluation[v].cell;
+    seams.free[v] = cell == kNone ? 1 : 1 - hold->weight[cell];
+  }
+  return seams;
 }
 
 const PreparedMesh& Session::prepared() const {

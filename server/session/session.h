@@ -112,7 +112,8 @@ class Session {
   /// Returns what the texels at the vertices of surface() do. Shapes: one per vertex; empty: none
   /// changes.
   std::vector<TexelChange> texels() const;
-  /// Returns how much of the seams of the scan's pictures is levelled.
+  /// Returns how much of the seams of the scan's pictures is levelled by the edits that are in the
+  /// fields: nothing of what is protected.
   SeamLevelling seams() const;
 
   const PreparedMesh& prepared() const;

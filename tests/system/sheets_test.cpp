@@ -13,7 +13,7 @@
 #include "common/sheets/sheet_codec.h"
 #include "common/sheets/sheet_directory.h"
 #include "common/wire/sheets_wire.h"
-#include "tests/server/prepare/sheets/painted_ball.h"
+#include "tests/server/prepare/sheets/photo_archive.h"
 #include "tests/system/fetched_pages.h"
 #include "tests/system/server_process.h"
 #include "tests/system/wire_call.h"
@@ -33,18 +33,27 @@ class SheetsOverTheWire : public testing::Test {
   SheetsOverTheWire()
       : channel_(wire_channel(server_.address)),
         connection_(Connection::open(server_.address, kPatience).value()) {
-    const std::vector<uint8_t> zip = ball_.zip();
-    std::ofstream(server_.folder / "ball.zip", std::ios::binary)
+    import("ball", ball_.zip());
+  }
+
+  void import(const std::string& name, const std::vector<uint8_t>& zip) {
+    const auto file = server_.folder / (name + ".zip");
+    std::ofstream(file, std::ios::binary)
         .write(reinterpret_cast<const char*>(zip.data()), static_cast<std::streamsize>(zip.size()));
-    const auto imported = connection_.import_scan(server_.folder / "ball.zip", "ball", {5, 0}, {});
+    const auto imported = connection_.import_scan(file, name, {5, 0}, {});
     EXPECT_TRUE(imported.is_ok()) << imported.status().to_string();
   }
 
-  SheetsDescription describe(const std::string& scan) {
+  /// `session`: "" asks for the scan's own.
+  WireAnswer ask(const std::string& scan, const std::string& session) {
     v1::DescribeSheetsRequest request;
     request.set_scan(scan);
-    const WireAnswer answer =
-        call(channel_, {"/burnish.v1.Library/DescribeSheets", {request.SerializeAsString()}});
+    if (!session.empty()) request.set_session(session);
+    return call(channel_, {"/burnish.v1.Library/DescribeSheets", {request.SerializeAsString()}});
+  }
+
+  SheetsDescription describe(const std::string& scan, const std::string& session = {}) {
+    const WireAnswer answer = ask(scan, session);
     EXPECT_TRUE(answer.status.ok()) << answer.status.error_message();
     v1::DescribeSheetsEvent last;
     EXPECT_TRUE(!answer.messages.empty() && last.ParseFromString(answer.messages.back()));
@@ -138,6 +147,67 @@ TEST_F(SheetsOverTheWire, PartsThatAreNotThereAreNamed) {
 TEST_F(SheetsOverTheWire, AScanWithoutPicturesHasNone) {
   ASSERT_TRUE(connection_.import_scan(write_sphere(server_.folder), "plain", {5, 0}, {}).is_ok());
   EXPECT_FALSE(describe("plain").has_sheets());
+}
+
+/// The same with two sessions: over photos whose seams may be levelled, and over the ball.
+class LevelledSheetsOverTheWire : public SheetsOverTheWire {
+ protected:
+  LevelledSheetsOverTheWire() {
+    import("grid", zip_of(PhotoGrid()));
+    for (const std::string name : {"grid", "ball"})
+      EXPECT_TRUE(connection_.open_session({name, name + " session", {5, 0}}).is_ok());
+  }
+
+  void level(double amount) {
+    const Edit edit{"level" + std::to_string(++edits_), SetTexture{{.level_seams = amount}}};
+    EXPECT_TRUE(connection_.apply("grid session", {&edit, 1}).is_ok());
+  }
+  std::string first_sheet(uint64_t version) {
+    EXPECT_TRUE(fetch({"grid", {}, {}, {{0, 0}}, version}).ok());
+    return events_.empty() ? std::string() : events_[0].sheet().data();
+  }
+
+  int edits_ = 0;
+};
+
+TEST_F(LevelledSheetsOverTheWire, AreThoseThatASessionsEditsAskFor) {
+  const SheetsDescription own = describe("grid");
+  EXPECT_EQ(own.version, 0u);
+  EXPECT_EQ(describe("grid", "grid session").version, 0u);
+  level(1);
+  const SheetsDescription levelled = describe("grid", "grid session");
+  ASSERT_NE(levelled.version, 0u);
+  EXPECT_NE(first_sheet(levelled.version), first_sheet(0));
+  EXPECT_EQ(describe("grid").head, own.head);
+  EXPECT_EQ(describe("grid").version, 0u);
+  const Edit undo{"undo", Undo{}};
+  EXPECT_TRUE(connection_.apply("grid session", {&undo, 1}).is_ok());
+  EXPECT_EQ(describe("grid", "grid session").version, 0u);
+}
+
+TEST_F(LevelledSheetsOverTheWire, KeepWhatIsProtected) {
+  level(1);
+  const uint64_t all = describe("grid", "grid session").version;
+  const Edit edit{"protect", left_half(PhotoGrid().side())};
+  EXPECT_TRUE(connection_.apply("grid session", {&edit, 1}).is_ok());
+  const uint64_t part = describe("grid", "grid session").version;
+  EXPECT_NE(part, all);
+  EXPECT_NE(part, 0u);
+}
+
+TEST_F(LevelledSheetsOverTheWire, OfASessionOfAnotherScanAreRefusedWithBothNames) {
+  const grpc::Status status = ask("grid", "ball session").status;
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
+  EXPECT_THAT(status.error_message(), HasSubstr("ball session"));
+  EXPECT_THAT(status.error_message(), HasSubstr("not grid"));
+  EXPECT_EQ(ask("grid", "nobody").status.error_code(), grpc::StatusCode::NOT_FOUND);
+}
+
+TEST_F(LevelledSheetsOverTheWire, OfAnUnknownVersionAskToBeDescribed) {
+  const grpc::Status status = fetch({"grid", {}, {}, {{0, 0}}, 77});
+  EXPECT_EQ(status.error_code(), grpc::StatusCode::FAILED_PRECONDITION);
+  EXPECT_THAT(status.error_message(), HasSubstr("77"));
+  EXPECT_THAT(status.error_message(), HasSubstr("DescribeSheets"));
 }
 
 }  // namespace

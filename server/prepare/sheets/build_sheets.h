@@ -8,6 +8,7 @@
 #include "common/base/progress.h"
 #include "common/base/scratch_space.h"
 #include "common/base/status.h"
+#include "common/mesh/rewrite/level_seams.h"
 #include "common/mesh/textured_surface.h"
 #include "common/pages/page_file.h"
 #include "server/prepare/preparation_need.h"
@@ -17,8 +18,9 @@ namespace burnish {
 /// A scan whose sheets are made.
 struct SheetsInput {
   const TexturedSurface& surface;
-  const PageFile& pages;  ///< of the same scan
-  std::string name;       ///< for messages
+  const PageFile& pages;                 ///< of the same scan
+  std::string name;                      ///< for messages
+  const LevelledSeams* seams = nullptr;  ///< of the surface; null: they stay
 };
 
 struct SheetsOptions {
@@ -43,7 +45,8 @@ struct SheetsReport {
 };
 
 /// Writes the sheet file of a scan (common/sheets/sheet_format.h). Sheets of level 0 are baked from
-/// the pictures, about as dense as these are; those of coarser levels from the finer ones. A
+/// the pictures, about as dense as these are, in linear light times the factors of levelled seams;
+/// those of coarser levels from the finer ones. A
 /// picture that is missing or damaged counts as white, so that its materials show their factor.
 /// Returns whether the scan shows a picture; without one there is no file. Asks the budget before
 /// it takes memory or disk. Pictures lie in files without names in the folder of `path`; none is in

@@ -43,7 +43,7 @@ Status PageMaker::fill(EncodedPage& encoded, PageId id, const LevelSheets* finer
 /// Makes sheets of level 0 from the pictures.
 Result<PageSheets> PageMaker::paint(EncodedPage& encoded, const Page& page,
                                     const std::function<void()>& ask) const {
-  const PagePaint paint(page, scan_.surface, tiles_, finder_);
+  const PagePaint paint(page, scan_.surface, tiles_, finder_, scan_.seams);
   encoded.used_texels = paint.used_texels();
   encoded.lost_triangles = paint.lost_triangles();
   PictureSampler sampler(tiles_);

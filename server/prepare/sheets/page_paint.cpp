@@ -42,8 +42,8 @@ double stretch_of(const std::array<Vec3d, 3>& places, const std::array<Vec2d, 3>
 }  // namespace
 
 PagePaint::PagePaint(const Page& page, const TexturedSurface& surface, const PictureTiles& tiles,
-                     const TriangleFinder& finder)
-    : tiles_(tiles) {
+                     const TriangleFinder& finder, const LevelledSeams* seams)
+    : tiles_(tiles), seams_(seams) {
   triangles_.reserve(page.triangles.size());
   for (const PageTriangle& triangle : page.triangles) {
     std::array<Vec3i, 3> places;
@@ -96,14 +96,23 @@ PagePaint::Painted PagePaint::painted(const std::array<Vec3d, 3>& places,
   if (picture != kNoTexture && tiles_.has(picture))
     put_on_picture(painted, found, picture, textures);
   painted.tints.fill(painted.picture == kNoTexture ? material.plain : material.factor);
-  if (surface.mesh.has_colours())
-    for (int k = 0; k < 3; ++k) {
-      const uint32_t vertex = surface.mesh.triangles[found.triangle][(k + found.turn) % 3];
+  tint(painted, found, surface);
+  return painted;
+}
+
+/// Multiplies the tints by the colours of the corners, and by the factors of levelled seams.
+void PagePaint::tint(Painted& painted, const FoundTriangle& found,
+                     const TexturedSurface& surface) const {
+  for (int k = 0; k < 3; ++k) {
+    const int corner = (k + found.turn) % 3;
+    const uint32_t vertex = surface.mesh.triangles[found.triangle][corner];
+    if (surface.mesh.has_colours())
       painted.tints[k] = painted.tints[k].cwiseProduct(linear_colour(surface.mesh.colours[vertex]));
-    }
+    if (seams_ != nullptr)
+      painted.tints[k] = painted.tints[k].cwiseProduct(seams_->factor(found.triangle, corner));
+  }
   painted.is_tinted =
       std::ranges::any_of(painted.tints, [](const Vec3f& tint) { return tint != Vec3f::Ones(); });
-  return painted;
 }
 
 Texel PagePaint::texel_of(const Painted& painted, const Drawn& drawn, const Vec3d& weights,

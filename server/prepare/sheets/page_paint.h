@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/base/types.h"
+#include "common/mesh/rewrite/level_seams.h"
 #include "common/mesh/textured_surface.h"
 #include "common/pages/page.h"
 #include "common/sheets/bake_sheet.h"
@@ -20,9 +21,9 @@ namespace burnish {
 /// The colours that the scan's pictures show on a page of level 0.
 class PagePaint {
  public:
-  /// Needs: the arguments outlive this and its source.
+  /// `seams`: of the surface; null: they stay. Needs: the arguments outlive this and its source.
   PagePaint(const Page& page, const TexturedSurface& surface, const PictureTiles& tiles,
-            const TriangleFinder& finder);
+            const TriangleFinder& finder, const LevelledSeams* seams = nullptr);
 
   /// Texels of pictures inside the page's triangles, and the area of these triangles in steps².
   double used_texels() const { return used_texels_; }
@@ -54,6 +55,7 @@ class PagePaint {
                         PictureSampler& sampler);
   Painted painted(const std::array<Vec3d, 3>& places, const FoundTriangle& found,
                   const TexturedSurface& surface) const;
+  void tint(Painted& painted, const FoundTriangle& found, const TexturedSurface& surface) const;
   void put_on_picture(Painted& painted, const FoundTriangle& found, uint32_t picture,
                       const SurfaceTextures& textures) const;
   std::array<Vec2d, 3> texels_of(const Painted& painted) const;
@@ -61,6 +63,7 @@ class PagePaint {
   void count(const Painted& painted);
 
   const PictureTiles& tiles_;
+  const LevelledSeams* seams_;
   std::vector<Painted> triangles_;
   double used_texels_ = 0;
   double painted_area_ = 0;

@@ -1,5 +1,6 @@
 #include <atomic>
 #include <fstream>
+#include <set>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -8,10 +9,11 @@
 #include "common/pages/directory_codec.h"
 #include "common/sheets/sheet_codec.h"
 #include "common/sheets/sheet_directory.h"
+#include "server/library/levelled_sheets.h"
 #include "server/library/scan_record.h"
 #include "server/library/stale_files.h"
 #include "tests/server/manager/test_library.h"
-#include "tests/server/prepare/sheets/painted_ball.h"
+#include "tests/server/prepare/sheets/photo_archive.h"
 
 namespace burnish {
 namespace {
@@ -229,6 +231,128 @@ TEST_F(SheetStore, SheetsOfAnotherFormatGoAtTheNextStart) {
   remove_stale_files(*library_.folder);
   EXPECT_FALSE(fs::exists(old));
   EXPECT_TRUE(fs::exists(path()));
+}
+
+/// A library with a square of photos whose seams may be levelled.
+class LevelledStore : public SheetStore {
+ protected:
+  LevelledStore() {
+    const std::vector<uint8_t> zip = zip_of(grid_);
+    scan_ = library_.import({zip.begin(), zip.end()}, "grid", {}, 5, MeshFormat::kZip).value().scan;
+  }
+
+  fs::path path_of(uint64_t version) const {
+    return path().parent_path() / sheets_file_name(version);
+  }
+  /// Returns the version of the sheets; 0 if they cannot be described.
+  uint64_t level(double amount, std::span<const float> free = {}) {
+    const auto description = library_.store->describe_sheets(scan_.id, {}, {amount, free});
+    EXPECT_TRUE(description.is_ok()) << description.status().to_string();
+    return description.is_ok() ? description->version : 0;
+  }
+  Status read_of(uint64_t version) { return read({"", {}, {}, {{0, 0}}, version}); }
+  size_t vertices() const { return size_t(grid_.side() + 1) * size_t(grid_.side() + 1); }
+
+  const PhotoGrid grid_;
+};
+
+TEST_F(LevelledStore, LevelledSheetsLieBesideTheScansOwn) {
+  EXPECT_EQ(level(0), 0u);
+  const std::string own = content_of(path());
+  const uint64_t version = level(1);
+  ASSERT_NE(version, 0u);
+  ASSERT_TRUE(read_of(version).is_ok());
+  const auto levelled = sheets_.at(0).bytes;
+  ASSERT_TRUE(read_first().is_ok());
+  EXPECT_NE(sheets_.at(0).bytes, levelled);
+  EXPECT_TRUE(content_of(path()) == own);
+  EXPECT_TRUE(fs::exists(path_of(version)));
+}
+
+TEST_F(LevelledStore, AVersionIsOfTheAmountAndTheRegion) {
+  const uint64_t version = level(1);
+  EXPECT_EQ(level(1), version);
+  const std::vector<float> all(vertices(), 1.F);
+  EXPECT_EQ(level(1, all), version);
+  std::vector<float> part = all;
+  part[0] = 0.5F;
+  const std::set<uint64_t> versions = {0, version, level(0.5), level(1, part)};
+  EXPECT_EQ(versions.size(), 4u);
+}
+
+TEST_F(LevelledStore, AVersionThatNobodyDescribedIsNotThere) {
+  const uint64_t version = level(1);
+  const Status other = read_of(version + 1);
+  EXPECT_EQ(other.code(), StatusCode::kFailedPrecondition);
+  EXPECT_THAT(other.message(), HasSubstr(std::to_string(version + 1)));
+  EXPECT_THAT(other.message(), HasSubstr("DescribeSheets"));
+  library_.restart();
+  EXPECT_TRUE(read_of(version).is_ok());
+}
+
+TEST_F(LevelledStore, OnlyTheLastFourWishesAreKept) {
+  std::vector<uint64_t> versions;
+  for (const double amount : {0.2, 0.3, 0.4, 0.5}) versions.push_back(level(amount));
+  EXPECT_EQ(level(0.2), versions[0]);
+  ASSERT_TRUE(read_of(versions[1]).is_ok());
+  versions.push_back(level(0.6));
+  EXPECT_TRUE(read_of(versions[1]).is_ok());  // it is open
+  library_.restart();
+  EXPECT_EQ(read_of(versions[1]).code(), StatusCode::kFailedPrecondition);
+  for (const size_t kept : {0, 2, 3, 4}) EXPECT_TRUE(read_of(versions[kept]).is_ok()) << kept;
+}
+
+TEST_F(LevelledStore, ADamagedVersionIsMadeAgainAndTheOthersStay) {
+  const uint64_t version = level(1), other = level(0.5);
+  std::fstream(path_of(version), std::ios::in | std::ios::out | std::ios::binary)
+      .seekp(100)
+      .put('\x5a');
+  EXPECT_EQ(read_of(version).code(), StatusCode::kDataLoss);
+  EXPECT_EQ(read_of(version).code(), StatusCode::kFailedPrecondition);
+  EXPECT_TRUE(read_of(other).is_ok());
+  EXPECT_EQ(level(1), version);
+  EXPECT_TRUE(read_of(version).is_ok());
+}
+
+TEST_F(LevelledStore, LevellingCanBeCancelledInEachPhase) {
+  for (const std::string cancelled : {"levelling seams", "pictures", "sheets"}) {
+    const Progress cancel = [&](std::string_view phase, double) { return phase != cancelled; };
+    EXPECT_EQ(library_.store->describe_sheets(scan_.id, cancel, {1}).status().code(),
+              StatusCode::kCancelled)
+        << cancelled;
+  }
+  EXPECT_FALSE(fs::exists(path_of(seams_version({1}))));
+}
+
+TEST_F(LevelledStore, LevellingBeyondTheMemoryIsRefused) {
+  library_.restart({.memory_bytes_max = 8 << 20});
+  EXPECT_EQ(library_.store->describe_sheets(scan_.id, {}, {1}).status().code(),
+            StatusCode::kResourceExhausted);
+}
+
+TEST_F(LevelledStore, AnyNumberOfThreadsMakesTheSameBytes) {
+  const uint64_t version = level(1);
+  const std::string all = content_of(path_of(version));
+  fs::remove(path_of(version));
+  library_.restart({.threads = 1});
+  EXPECT_EQ(level(1), version);
+  EXPECT_TRUE(content_of(path_of(version)) == all);
+}
+
+TEST_F(LevelledStore, AScanThatIsRemovedTakesItsVersionsAlong) {
+  const uint64_t version = level(1);
+  ASSERT_TRUE(library_.store->remove(scan_.id).is_ok());
+  EXPECT_FALSE(fs::exists(path_of(version)));
+  EXPECT_EQ(read_of(version).code(), StatusCode::kFailedPrecondition);
+}
+
+TEST_F(LevelledStore, LevelledSheetsOfAnotherFormatGoAtTheNextStart) {
+  const uint64_t version = level(1);
+  const fs::path old = path().parent_path() / "sheets-format0-seams00000000000000ff.sheets";
+  fs::copy_file(path_of(version), old);
+  remove_stale_files(*library_.folder);
+  EXPECT_FALSE(fs::exists(old));
+  EXPECT_TRUE(fs::exists(path_of(version)));
 }
 
 }  // namespace

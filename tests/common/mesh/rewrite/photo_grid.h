@@ -85,13 +85,25 @@ struct PhotoGrid {
   /// Returns the median step between charts in a picture, in levels: measured at places along all
   /// borders, one texel inside of both sides.
   double median_step(const Picture& picture) const {
+    return median_step([&](double x, double y) {
+      const Rgba8 texel = texel_at(picture, {x, y});
+      return Vec3d(texel[0], texel[1], texel[2]);
+    });
+  }
+
+  /// Does so for what else shows the surface: `colour_at(x, y)` returns levels.
+  template <typename ColourAt>
+  double median_step(const ColourAt& colour_at) const {
     std::vector<double> steps;
+    const auto difference = [&](double x, double y, double other_x, double other_y) {
+      return (colour_at(x, y) - colour_at(other_x, other_y)).cwiseAbs().mean();
+    };
     const double inset = 0.6 * cells / (texels - 2 * kMargin);
     for (int border = 1; border < blocks; ++border)
       for (double along = 0.3; along < side(); along += 0.37) {
         const double at = border * cells;
-        steps.push_back(difference(picture, {at - inset, along}, {at + inset, along}));
-        steps.push_back(difference(picture, {along, at - inset}, {along, at + inset}));
+        steps.push_back(difference(at - inset, along, at + inset, along));
+        steps.push_back(difference(along, at - inset, along, at + inset));
       }
     std::ranges::nth_element(steps, steps.begin() + static_cast<ptrdiff_t>(steps.size() / 2));
     return steps[steps.size() / 2];
@@ -149,14 +161,6 @@ struct PhotoGrid {
     const auto [u, v] = on_picture(block, x, y);
     const double size = blocks * texels;
     return "vt " + std::to_string(u / size) + " " + std::to_string(1 - v / size) + "\n";
-  }
-
-  double difference(const Picture& picture, const std::array<double, 2>& one,
-                    const std::array<double, 2>& other) const {
-    const Rgba8 a = texel_at(picture, one), b = texel_at(picture, other);
-    double sum = 0;
-    for (size_t i = 0; i < 3; ++i) sum += std::abs(int{a[i]} - int{b[i]});
-    return sum / 3;
   }
 };
 

@@ -1,5 +1,7 @@
 #include "server/prepare/sheets/page_paint.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "common/mesh/srgb.h"
@@ -45,9 +47,9 @@ class PaintedTriangle : public testing::Test {
   }
 
   /// Returns what a sheet as dense as the picture shows there.
-  Texel texel_at(const Vec3d& weights, int turn = 0) const {
+  Texel texel_at(const Vec3d& weights, int turn = 0, const LevelledSeams* seams = nullptr) const {
     const TriangleFinder finder(surface_.mesh, grid_, {});
-    const PagePaint paint(page(turn), surface_, tiles_, finder);
+    const PagePaint paint(page(turn), surface_, tiles_, finder, seams);
     PictureSampler sampler(tiles_);
     return paint.source(sampler, density_).texel(0, weights);
   }
@@ -81,6 +83,21 @@ TEST_F(PaintedTriangle, FactorAndVertexColoursMultiplyInLinearLight) {
   surface_.mesh.colours.assign(3, {255, 255, 100, 255});
   const float linear = linear_of_srgb(100);
   EXPECT_NEAR(texel_at(kMiddle)[2], srgb_byte(linear * linear * 0.5f), 1);
+}
+
+TEST_F(PaintedTriangle, FactorsOfLevelledSeamsMultiplyBetweenTheCornersInLinearLight) {
+  LevelledSeams seams;
+  seams.points = {2, 0, 1};
+  seams.factors = {{0.5f, 1, 1.5f}, {1, 2, 1}, {0.25f, 1, 1}};
+  const Vec3d near_second(0.1, 0.8, 0.1);
+  const Vec3f factor = 0.1f * seams.factors[2] + 0.8f * seams.factors[0] + 0.1f * seams.factors[1];
+  const Texel plain = texel_at(near_second), levelled = texel_at(near_second, 0, &seams);
+  for (int i = 0; i < 3; ++i) {
+    const auto byte = static_cast<uint8_t>(std::lround(plain[i]));
+    EXPECT_NEAR(levelled[i], srgb_byte(linear_of_srgb(byte) * factor[i]), 1) << i;
+  }
+  EXPECT_TRUE(texel_at({0.8, 0.1, 0.1}, 1, &seams).isApprox(levelled, 0.01f));
+  EXPECT_TRUE(texel_at({0.1, 0.1, 0.8}, 2, &seams).isApprox(levelled, 0.01f));
 }
 
 TEST_F(PaintedTriangle, HasThePlainColourWithoutACoordinate) {

@@ -117,6 +117,42 @@ double psnr_of_level(const PaintedBall& ball, const PageFile& pages, const Sheet
   return difference.psnr();
 }
 
+/// Returns the weights of a triangle's corners at a place, seen along z; steps.
+static Vec3d weights_at(const Page& page, const PageTriangle& triangle, const Vec2d& place) {
+  std::array<Vec2d, 3> corners;
+  for (int k = 0; k < 3; ++k)
+    corners[k] = page.positions[triangle[k]].cast<double>().head<2>() - place;
+  const auto area = [&](int a, int b) {
+    return corners[a].x() * corners[b].y() - corners[a].y() * corners[b].x();
+  };
+  const Vec3d areas(area(1, 2), area(2, 0), area(0, 1));
+  return areas / areas.sum();
+}
+
+Vec3d colour_above(const PageFile& pages, const SheetFile& sheets, double x, double y) {
+  const PageHead& head = pages.directory().head;
+  const Vec2d steps =
+      (Vec2d(x, y) - head.grid.origin.head<2>()) / head.grid.step() - Vec2d::Constant(0.5);
+  for (PageId id = 0; id < head.level_begin(1); ++id) {
+    const Page page = pages.read_page(id).value();
+    for (size_t t = 0; t < page.triangles.size(); ++t) {
+      const Vec3d weights = weights_at(page, page.triangles[t], steps);
+      if (!(weights.minCoeff() >= 0)) continue;
+      const PageCharts charts = sheets.read_charts(page).value();
+      const Sheet sheet = sheets.read_sheet(id, 0).value();
+      Vec3d place = Vec3d::Zero();
+      for (int k = 0; k < 3; ++k)
+        place += weights[k] * page.positions[page.triangles[t][k]].cast<double>();
+      const size_t chart = charts.of_triangle[t];
+      const ChartMapping map = chart_mapping(charts.charts[chart], sheet.density * head.grid.step(),
+                                             sheet.layout.places[chart]);
+      return shown_at(sheet, map.texel(place));
+    }
+  }
+  BURNISH_CHECK(false, "no triangle is there");
+  return Vec3d::Zero();
+}
+
 SheetFile open_sheets(const std::filesystem::path& path, const PageFile& pages) {
   return SheetFile::open(path, pages.directory().head, pages_fingerprint(pages.head_bytes()))
       .value();

@@ -25,6 +25,10 @@ Result<bool> build_sheets_of_archive(std::span<const uint8_t> zip, const PageFil
 double psnr_of_level(const PaintedBall& ball, const PageFile& pages, const SheetFile& sheets,
                      int level);
 
+/// Returns the colour that the finest sheets of level 0 show at (x, y), seen along z; 0 to 255.
+/// Needs: a triangle there.
+Vec3d colour_above(const PageFile& pages, const SheetFile& sheets, double x, double y);
+
 /// Opens a sheet file beside its pages. Ends the program if it is not good.
 SheetFile open_sheets(const std::filesystem::path& path, const PageFile& pages);
 
