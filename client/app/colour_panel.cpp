@@ -5,6 +5,7 @@
 #include "client/app/places.h"
 #include "client/app/theme.h"
 #include "client/app/value_slider.h"
+#include "client/model/figures.h"
 #include "client/tools/colours.h"
 #include "common/edit/wavelength.h"
 
@@ -64,6 +65,8 @@ void ColourPanel::draw(Workspace& workspace) {
     document.commit(SetColour{{document.colour_filter().alpha, 1}});
   hint("Sets the gradient scale to 1. Painted colours stay painted.");
   draw_texture(document, workspace.log);
+  if (const std::string seams = seams_text(document); !seams.empty())
+    faint_text("%s", seams.c_str());
   ImGui::EndDisabled();
 }
 

@@ -62,7 +62,8 @@ Result<std::shared_ptr<const ReachedServer>> Connection::State::reach() {
   if (place.address != server) {
     ASSIGN_OR_RETURN(way, make_channel(place.address, trust));
   }
-  reached = std::make_shared<ReachedServer>(ReachedServer{place, way, v1::Editing::NewStub(way)});
+  reached = std::make_shared<ReachedServer>(
+      ReachedServer{place, way, v1::Editing::NewStub(way), v1::Library::NewStub(way)});
   return reached;
 }
 

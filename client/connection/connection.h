@@ -122,16 +122,19 @@ class Connection {
   /// One value per cell, in the Morton order of the cells.
   Result<std::vector<float>> cells(const std::string& session, CellValue value);
 
-  /// Has the scan's sheets made where they are missing; a scan without pictures has none.
-  /// Fails: as the server says; unimplemented (an older server); cancelled.
-  Result<SheetsDescription> describe_sheets(const std::string& scan, const Progress& progress);
+  /// Has the scan's sheets made where they are missing; a scan without pictures has none. With a
+  /// session of the scan, asks where it is, and gets its seams levelled as it says; an older server
+  /// levels none. Fails: as the server says; unimplemented (an older server); cancelled.
+  Result<SheetsDescription> describe_sheets(const std::string& scan, const Progress& progress,
+                                            const std::string& session = {});
 
   struct SheetTaker {
     std::function<bool(PagePart)> block;
     std::function<bool(PagePart)> charts;  ///< the number is the page's
     std::function<bool(SheetPart)> sheet;
   };
-  /// Fetches blocks, then charts, then sheets, in the order of the wish. The bytes are not checked.
+  /// Fetches blocks, then charts, then sheets, in the order of the wish: levelled ones from where a
+  /// session was found last, which has made them. The bytes are not checked.
   /// Needs: at most kSheetPartsPerFetchMax parts. Fails: as the server says; cancelled.
   Status fetch_sheets(const SheetsWish& wish, const SheetTaker& take);
 

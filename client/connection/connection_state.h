@@ -31,6 +31,7 @@ struct ReachedServer {
   ServerPlace place;
   std::shared_ptr<grpc::Channel> channel;
   std::unique_ptr<v1::Editing::Stub> editing;
+  std::unique_ptr<v1::Library::Stub> library;
 };
 
 struct Connection::State {
@@ -61,13 +62,22 @@ struct Connection::State {
   /// has taken it. Fails: as the last server says.
   template <typename Call>
   Status call_owner(const Call& call) {
+    return call_reached([&](const ReachedServer& owner, grpc::ClientContext& context) {
+      return call(*owner.editing, context);
+    });
+  }
+
+  /// Does the same for a call of any service: grpc::Status(const ReachedServer&,
+  /// grpc::ClientContext&).
+  template <typename Call>
+  Status call_reached(const Call& call) {
     const auto until = std::chrono::steady_clock::now() + kTakeoverMax;
     for (int moves = 0;; ++moves) {
       ASSIGN_OR_RETURN(const auto owner, reach());
       grpc::ClientContext context;
       set_user(context);
       set_node(context, owner->place.node);
-      const grpc::Status ended = call(*owner->editing, context);
+      const grpc::Status ended = call(*owner, context);
       if (awaits_takeover(*owner, ended, until)) {
         moves = -1;  // before the next round
         continue;

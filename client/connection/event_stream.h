@@ -13,15 +13,12 @@ namespace burnish {
 template <typename Event>
 using DoneOf = std::decay_t<decltype(std::declval<Event>().done())>;
 
-/// Reads a call that tells its progress, up to its answer. `doing` is what the call does:
-/// "describing the pages". Fails: cancelled if `progress` asks for it; as the server says;
-/// data_loss without an answer.
+/// Reads a call that tells its progress until it ends. Returns false if `progress` asks to cancel
+/// it.
 template <typename Event, typename Stream>
-Result<DoneOf<Event>> read_until_done(const std::string& server, grpc::ClientContext& context,
-                                      Stream& stream, const Progress& progress,
-                                      const std::string& doing) {
+bool read_events(grpc::ClientContext& context, Stream& stream, const Progress& progress,
+                 std::optional<DoneOf<Event>>& done) {
   Event event;
-  std::optional<DoneOf<Event>> done;
   bool is_cancelled = false;
   while (stream.Read(&event)) {
     if (event.has_done()) done = std::move(*event.mutable_done());
@@ -29,8 +26,20 @@ Result<DoneOf<Event>> read_until_done(const std::string& server, grpc::ClientCon
     is_cancelled = !report(progress, event.progress().phase(), event.progress().fraction());
     if (is_cancelled) context.TryCancel();
   }
+  return !is_cancelled;
+}
+
+/// Reads a call that tells its progress, up to its answer. `doing` is what the call does:
+/// "describing the pages". Fails: cancelled if `progress` asks for it; as the server says;
+/// data_loss without an answer.
+template <typename Event, typename Stream>
+Result<DoneOf<Event>> read_until_done(const std::string& server, grpc::ClientContext& context,
+                                      Stream& stream, const Progress& progress,
+                                      const std::string& doing) {
+  std::optional<DoneOf<Event>> done;
+  const bool is_heard = read_events<Event>(context, stream, progress, done);
   const grpc::Status there = stream.Finish();
-  if (is_cancelled) return cancelled(doing + " was cancelled");
+  if (!is_heard) return cancelled(doing + " was cancelled");
   RETURN_IF_ERROR(call_status(server, there));
   if (!done) return data_loss("server " + server + " ended " + doing + " without an answer");
   return std::move(*done);

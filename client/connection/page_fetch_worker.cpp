@@ -129,23 +129,25 @@ Status PageFetcher::Worker::listen_for_pages(Call call, const std::vector<PageIt
 
 Status PageFetcher::Worker::listen_for_sheets(Call call, const std::vector<PageItem>& items,
                                               grpc::ClientContext& context, Reached& reached) {
+  const SheetsWish wish = sheets_wish(scan_, items);
   const Connection::SheetTaker taker{
       .block =
           [&](PagePart part) {
-            return on_part(call, PageItem::of_sheet_block(part.number), std::move(part.bytes));
+            return on_part(call, PageItem::of_sheet_block(part.number, wish.version),
+                           std::move(part.bytes));
           },
       .charts =
           [&](PagePart part) {
-            return on_part(call, PageItem::of_charts(part.number), std::move(part.bytes));
+            return on_part(call, PageItem::of_charts(part.number, wish.version),
+                           std::move(part.bytes));
           },
       .sheet =
           [&](SheetPart part) {
             const auto halving = static_cast<uint8_t>(part.number.halving);  // of those asked for
-            return on_part(call, PageItem::of_sheet(part.number.page, halving),
+            return on_part(call, PageItem::of_sheet(part.number.page, halving, wish.version),
                            std::move(part.bytes));
           }};
-  return fetch_sheet_parts(reached.server.address, *reached.library, context,
-                           sheets_wish(scan_, items), taker);
+  return fetch_sheet_parts(reached.server.address, *reached.library, context, wish, taker);
 }
 
 bool PageFetcher::Worker::on_part(Call call, PageItem item, std::vector<uint8_t> bytes) {

@@ -260,7 +260,8 @@ bool Document::is_settled() const {
 }
 
 bool Document::is_picture_settled() const {
-  return surface_->is_settled() && !is_finding_textures_ && !is_fetching_values_ &&
+  const bool has_seams = !seams_asked_ || *seams_asked_ == seams_now();
+  return surface_->is_settled() && !is_finding_textures_ && has_seams && !is_fetching_values_ &&
          !is_fetching_over_;
 }
 

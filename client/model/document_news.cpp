@@ -86,6 +86,7 @@ void Document::handle(const LiveEvent& event) {
                    if (change.state == LinkState::kLive) {
                      log_.info("connected");
                      surface_->on_link_made();
+                     retry_textures();
                    }
                  },
                  [&](const Welcome& welcome) {
@@ -119,6 +120,7 @@ void Document::handle(const LiveEvent& event) {
                    refresh_history();
                    if (colour_ == ColourBy::kBeta) forget_values();
                    forget_over();
+                   follow_seams();
                  },
                  [&](const ProgressReport& progress) { progress_ = progress; },
              },
@@ -159,6 +161,7 @@ void Document::refresh_history() {
       if (state && state->is_ok()) take_rims(**state);
       if (history.is_ok()) history_ = *history;
       if (history.is_ok()) forget_over();
+      follow_seams();
       if (std::exchange(history_fetch_->again, false)) refresh_history();
     };
   });

@@ -81,6 +81,10 @@ std::string noise_text(const Document& document) {
          (proposal->filter.is_on() ? "" : ": too little to take away");
 }
 
+std::string seams_text(const Document& document) {
+  return document.levels_seams() ? "levelling seams…" : std::string();
+}
+
 std::vector<Figure> ruler_figures(const Document& document) {
   const Ruler& ruler = document.measuring().ruler;
   const auto length = ruler.length();

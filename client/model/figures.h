@@ -32,6 +32,9 @@ std::string walls_text(const Document& document);
 /// Says how large the scan's noise is, or that it is being measured; empty before anybody asks.
 std::string noise_text(const Document& document);
 
+/// Says that the server levels the seams of pictures for this view; else empty.
+std::string seams_text(const Document& document);
+
 /// The ruler's distances; empty until it has two ends.
 std::vector<Figure> ruler_figures(const Document& document);
 

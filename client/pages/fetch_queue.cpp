@@ -28,6 +28,7 @@ void FetchQueue::fill(std::vector<PageItem>& batch, std::deque<PageItem>& from,
                       uint64_t parts_max) {
   while (!from.empty() && batch.size() < parts_max) {
     const PageItem item = from.front();
+    if (!batch.empty() && batch.front().version != item.version) return;
     from.pop_front();
     if (is_open(item) && under_way_.insert(item).second) batch.push_back(item);
   }

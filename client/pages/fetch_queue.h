@@ -21,7 +21,7 @@ class FetchQueue {
 
   /// Takes the items of the next call, in the order asked: at most kPagePartsPerFetchMax, and about
   /// kFetchBytesMax by the mean of those that came. Items of sheets come once no others wait, in
-  /// calls of their own.
+  /// calls of their own, of one version each.
   std::vector<PageItem> take_batch();
 
   /// A call has brought an item. Returns whether somebody waits for it.

@@ -11,6 +11,7 @@ PagesWish pages_wish(const std::string& scan, std::span<const PageItem> items) {
 
 SheetsWish sheets_wish(const std::string& scan, std::span<const PageItem> items) {
   SheetsWish wish{.scan = scan, .blocks = {}, .charts = {}, .sheets = {}};
+  if (!items.empty()) wish.version = items.front().version;
   for (const PageItem item : items) {
     if (item.kind == PageItem::Kind::kSheetBlock) wish.blocks.push_back(item.number);
     if (item.kind == PageItem::Kind::kCharts) wish.charts.push_back(item.number);

@@ -14,14 +14,19 @@ struct PageItem {
 
   uint32_t number = 0;  ///< of the page or the block
   Kind kind = Kind::kPage;
-  uint8_t halving = 0;  ///< of a sheet: 0 is the finest of the page
+  uint8_t halving = 0;   ///< of a sheet: 0 is the finest of the page
+  uint64_t version = 0;  ///< of the sheets' file: SheetsDescription::version
 
   static constexpr PageItem of_page(PageId page) { return {page, Kind::kPage}; }
   static constexpr PageItem of_block(uint32_t block) { return {block, Kind::kBlock}; }
-  static constexpr PageItem of_sheet_block(uint32_t block) { return {block, Kind::kSheetBlock}; }
-  static constexpr PageItem of_charts(PageId page) { return {page, Kind::kCharts}; }
-  static constexpr PageItem of_sheet(PageId page, uint8_t halving) {
-    return {page, Kind::kSheet, halving};
+  static constexpr PageItem of_sheet_block(uint32_t block, uint64_t version = 0) {
+    return {block, Kind::kSheetBlock, 0, version};
+  }
+  static constexpr PageItem of_charts(PageId page, uint64_t version = 0) {
+    return {page, Kind::kCharts, 0, version};
+  }
+  static constexpr PageItem of_sheet(PageId page, uint8_t halving, uint64_t version = 0) {
+    return {page, Kind::kSheet, halving, version};
   }
   /// Returns whether the item is one of the sheets' file.
   bool is_of_sheets() const { return kind >= Kind::kSheetBlock; }

@@ -104,4 +104,10 @@ void PageRequests::on_failure(PageItem item, const Status& why, Time now) {
   if (const auto flight = in_flight_.find(item); flight != in_flight_.end()) land(flight);
 }
 
+std::vector<PageItem> PageRequests::in_flight() const {
+  std::vector<PageItem> items;
+  for (const auto& [item, flight] : in_flight_) items.push_back(item);
+  return items;
+}
+
 }  // namespace burnish

@@ -47,6 +47,7 @@ class PageRequests {
   void on_link_lost() { in_flight_.clear(), bytes_in_flight_ = 0; }
 
   bool is_in_flight(PageItem item) const { return in_flight_.contains(item); }
+  std::vector<PageItem> in_flight() const;
   size_t count_in_flight() const { return in_flight_.size(); }
   uint64_t bytes_in_flight() const { return bytes_in_flight_; }
   PageFailures& failures() { return failures_; }

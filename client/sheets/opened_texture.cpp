@@ -66,7 +66,7 @@ static Result<OpenedTexture> open_checked(const EncodedTexture& encoded, PageCha
 
 Result<OpenedTexture> open_texture(const EncodedTexture& encoded, const PageGrid& grid,
                                    PageItem& damaged) {
-  damaged = PageItem::of_charts(encoded.sheet.number);
+  damaged = PageItem::of_charts(encoded.sheet.number, encoded.sheet.version);
   ASSIGN_OR_RETURN(PageCharts charts, decode_charts(encoded.chart_bytes, *encoded.page));
   damaged = encoded.sheet;
   return open_checked(encoded, std::move(charts), grid);

@@ -40,7 +40,8 @@ void SheetLoader::list_wants(const SheetQuestion& question, const KnownPages& pa
     if (const auto facts = sheets_.find(block, page))
       wants_.push_back({page, block, *facts, needed, density});
     else
-      miss(PageItem::of_sheet_block(block), sheets_.head().blocks[block].bytes, needed / density);
+      miss(PageItem::of_sheet_block(block, version_), sheets_.head().blocks[block].bytes,
+           needed / density);
   }
 }
 
@@ -64,8 +65,8 @@ void SheetLoader::take_stock_of(const Want& want, float coarser) {
   if (stored.texture && stored.texture_halving <= halving) return;
   const float here = stored.texture ? std::ldexp(want.facts.charts.density, -stored.texture_halving)
                                     : want.density;
-  const PageItem charts = PageItem::of_charts(want.page);
-  const PageItem sheet = PageItem::of_sheet(want.page, halving);
+  const PageItem charts = PageItem::of_charts(want.page, version_);
+  const PageItem sheet = PageItem::of_sheet(want.page, halving, version_);
   const PageFailures& failures = requests_.failures();
   if (failures.is_given_up(charts) || failures.is_given_up(sheet)) return;
   const SheetEntry& entry = want.facts.sheets[halving];
@@ -116,7 +117,7 @@ void SheetLoader::on_decoded(DecodedTexture decoded, Time now) {
       store_.drop_sheet(page);
     return requests_.on_failure(decoded.damaged, decoded.status, now);
   }
-  requests_.failures().on_success(PageItem::of_charts(page));
+  requests_.failures().on_success(PageItem::of_charts(page, version_));
   requests_.failures().on_success(decoded.sheet);
   const StoredSheets* stored = store_.find(page);
   const bool is_finer = stored != nullptr && (stored->texture == nullptr ||

@@ -35,8 +35,9 @@ class SheetLoader {
  public:
   using Time = PageRequests::Time;
 
-  SheetLoader(SheetHead head, PageHead pages, uint64_t budget_bytes)
-      : sheets_(std::move(head), std::move(pages)), store_(budget_bytes) {}
+  /// `version`: of the sheets (SheetsDescription::version); its items are of it.
+  SheetLoader(SheetHead head, PageHead pages, uint64_t budget_bytes, uint64_t version = 0)
+      : sheets_(std::move(head), std::move(pages)), store_(budget_bytes), version_(version) {}
 
   /// `pages`: of the same scan; it knows the drawn pages.
   void look(const SheetQuestion& question, const KnownPages& pages, Time now);
@@ -46,7 +47,7 @@ class SheetLoader {
   template <typename PageOf>
   std::vector<EncodedTexture> take_jobs(const PageOf& page_of);
 
-  /// An item came, asked for or not, or failed to come.
+  /// An item of this version came, asked for or not, or failed to come.
   void on_arrival(PageItem item, Result<std::vector<uint8_t>> bytes, Time now);
   void on_decoded(DecodedTexture decoded, Time now);
   /// A new connection: all that failed is asked for again.
@@ -61,6 +62,9 @@ class SheetLoader {
   /// Returns what was given up since the last call.
   std::vector<GivenUpItem> take_given_up() { return requests_.failures().take_news(); }
   const SheetStore& store() const { return store_; }
+  uint64_t version() const { return version_; }
+  /// Returns what was asked for and has not come.
+  std::vector<PageItem> in_flight() const { return requests_.in_flight(); }
 
  private:
   /// A page that the picture draws, as the directory has it.
@@ -84,6 +88,7 @@ class SheetLoader {
 
   KnownSheets sheets_;
   SheetStore store_;
+  uint64_t version_;
   PageRequests requests_;
   std::vector<Want> wants_;
   std::vector<MissingItem> missing_;

@@ -91,15 +91,24 @@ Status PagedSurface::show_textures(std::span<const DrawnRange> drawn) {
   const PageRequests::Plan& plan = textures_->look(*loader_, pages, source_->speed(), now);
   source_->cancel(plan.cancel);
   source_->ask(plan.ask);
+  if (textures_->is_settled()) last_textures_.reset();
   ASSIGN_OR_RETURN(const bool is_changed,
-                   card_.show_textures([this](PageId page) { return textures_->texture(page); }));
+                   card_.show_textures([this](PageId page) { return texture(page); }));
   changes_ += is_changed;
   return Status::ok();
 }
 
-void PagedSurface::on_link_made() {
-  loader_->on_link_made();
-  if (textures_) textures_->on_link_made();
+std::shared_ptr<const PageTexture> PagedSurface::texture(PageId page) const {
+  auto texture = textures_->texture(page);
+  return texture || !last_textures_ ? texture : last_textures_->texture(page);
+}
+
+void PagedSurface::set_textures(std::unique_ptr<TextureSupply> textures) {
+  if (textures_) source_->cancel(textures_->in_flight());
+  if (textures_ && (textures_->is_settled() || !last_textures_))
+    last_textures_ = std::move(textures_);
+  textures_ = std::move(textures);
+  lacks_sheets_ = false;  // of the last ones
 }
 
 // A server that finds a page damaged drops them all, and has none until somebody describes them.
@@ -107,12 +116,22 @@ static bool is_damage(StatusCode code) {
   return code == StatusCode::kDataLoss || code == StatusCode::kFailedPrecondition;
 }
 
+void PagedSurface::take_sheet_arrival(PageSource::Arrival arrival) {
+  if (!textures_ || arrival.item.version != textures_->version()) return;
+  lacks_sheets_ |= !arrival.bytes.is_ok() && is_damage(arrival.bytes.status().code());
+  textures_->on_arrival(std::move(arrival), options_.clock());
+}
+
+void PagedSurface::on_link_made() {
+  loader_->on_link_made();
+  if (textures_) textures_->on_link_made();
+}
+
 void PagedSurface::take_arrivals() {
   const auto now = options_.clock();
   for (PageSource::Arrival& arrival : source_->take()) {
     if (arrival.item.is_of_sheets()) {
-      lacks_sheets_ |= !arrival.bytes.is_ok() && is_damage(arrival.bytes.status().code());
-      if (textures_) textures_->on_arrival(std::move(arrival), now);
+      take_sheet_arrival(std::move(arrival));
     } else if (arrival.item.kind == PageItem::Kind::kBlock && arrival.bytes.is_ok()) {
       hand_in_block(arrival.item.number, std::move(arrival.bytes));
     } else if (arrival.bytes.is_ok()) {

@@ -85,8 +85,11 @@ class PagedSurface {
 
   /// Returns how many bytes of textures the renderer of open() has room for; 0: it shows none.
   uint64_t texture_bytes_max() const { return texture_bytes_max_; }
-  /// Brings sheets of the scan from the next look() on. Needs: open().
-  void set_textures(std::unique_ptr<TextureSupply> textures) { textures_ = std::move(textures); }
+  /// Brings these sheets of the scan from the next look() on. Until the picture has those that it
+  /// needs, pages without one show that of the last sheets. Needs: open().
+  void set_textures(std::unique_ptr<TextureSupply> textures);
+  /// Returns null: no sheets are shown.
+  const TextureSupply* textures() const { return textures_.get(); }
   /// Returns whether the server said since the last call that it must make the sheets again.
   bool take_sheet_damage() { return std::exchange(lacks_sheets_, false); }
   /// Pictures show the scan's colours from the next look() on, or not; without a light they rest
@@ -128,6 +131,8 @@ class PagedSurface {
   Status show_pages();
   Status show_frame();
   Status show_textures(std::span<const DrawnRange> drawn);
+  std::shared_ptr<const PageTexture> texture(PageId page) const;
+  void take_sheet_arrival(PageSource::Arrival arrival);
   bool shows_textures() const { return textures_ != nullptr && shows_scan_colours_; }
   PictureQuestion question(const Camera& camera, const ImageSize& size, bool is_dragging) const;
   FrameBounds frame_bounds() const;
@@ -158,7 +163,8 @@ class PagedSurface {
   bool lacks_sheets_ = false;
   bool shows_scan_colours_ = false;
   bool is_unlit_ = false;
-  std::unique_ptr<TextureSupply> textures_;  // null: the scan has none, or none is known yet
+  std::unique_ptr<TextureSupply> textures_;       // null: the scan has none, or none is known yet
+  std::unique_ptr<TextureSupply> last_textures_;  // until textures_ are settled; else null
 
   std::unique_ptr<PageSource> source_;  // their threads call on_news
   PageDecoder decoder_;

@@ -11,14 +11,16 @@ Result<std::unique_ptr<TextureSupply>> TextureSupply::open(const SheetsDescripti
   ASSIGN_OR_RETURN(SheetHead head, decode_sheet_head(description.head, options.pages));
   if (head.pages_fingerprint != options.pages_fingerprint)
     return failed_precondition("the scan's sheets belong to other pages");
-  std::unique_ptr<TextureSupply> textures(new TextureSupply(std::move(head), std::move(options)));
+  std::unique_ptr<TextureSupply> textures(
+      new TextureSupply(std::move(head), description.version, std::move(options)));
   for (const PagePart& part : description.blocks)
-    textures->on_arrival({PageItem::of_sheet_block(part.number), part.bytes}, {});
+    textures->on_arrival({PageItem::of_sheet_block(part.number, description.version), part.bytes},
+                         {});
   return textures;
 }
 
-TextureSupply::TextureSupply(SheetHead head, TextureOptions options)
-    : loader_(std::move(head), options.pages, options.bytes_max),
+TextureSupply::TextureSupply(SheetHead head, uint64_t version, TextureOptions options)
+    : loader_(std::move(head), options.pages, options.bytes_max, version),
       desk_(make_texture_desk(options.pages.grid, std::move(options.on_news))) {}
 
 const PageRequests::Plan& TextureSupply::look(const PageLoader& pages,

@@ -40,11 +40,16 @@ class TextureSupply {
   /// cancel. `drawn`: each once. The result stays until the next call.
   const PageRequests::Plan& look(const PageLoader& pages, std::span<const PageId> drawn,
                                  const LinkSpeed& link, Time now);
-  /// Takes an item of the sheets that has come or failed.
+  /// Takes an item of these sheets that has come or failed.
   void on_arrival(PageSource::Arrival arrival, Time now);
   /// Takes what was decoded since the last call.
   void take_decoded(Time now);
   void on_link_made();
+
+  /// Returns which sheets of the scan they are: SheetsDescription::version.
+  uint64_t version() const { return loader_.version(); }
+  /// Returns what was asked for and has not come.
+  std::vector<PageItem> in_flight() const { return loader_.in_flight(); }
 
   /// Returns null: the page shows its vertices' colours.
   std::shared_ptr<const PageTexture> texture(PageId page) const { return loader_.texture(page); }
@@ -56,7 +61,7 @@ class TextureSupply {
   std::string take_failures();
 
  private:
-  TextureSupply(SheetHead head, TextureOptions options);
+  TextureSupply(SheetHead head, uint64_t version, TextureOptions options);
 
   SheetLoader loader_;
   bool has_told_ = false;  // of failures over this connection

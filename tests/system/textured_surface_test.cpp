@@ -1,12 +1,16 @@
 // A scan with pictures as a window shows it: by a server that bakes its sheets.
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <map>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "client/raster/raster_page_renderer.h"
-#include "tests/server/prepare/sheets/painted_ball.h"
+#include "tests/server/prepare/sheets/photo_archive.h"
 #include "tests/system/server_process.h"
 #include "tests/system/workspace_pictures.h"
 
@@ -107,6 +111,101 @@ TEST_F(TexturedSurface, AScanWithoutPicturesKeepsTheColoursOfItsVertices) {
   EXPECT_TRUE(has_red);
   for (const Message& message : workspace_.log.messages())
     EXPECT_EQ(message.text.find("texture"), std::string::npos) << message.text;
+}
+
+/// The same over photos of different exposure.
+class LevelledView : public TexturedSurface {
+ protected:
+  LevelledView() { import("grid", zip_of(grid_)); }
+
+  uint64_t version() { return document().surface().textures()->version(); }
+
+  /// Returns the median step at the seams of the picture, levels of a byte.
+  double step() {
+    EXPECT_TRUE(workspace_.viewport.draw(renderer_, document()).is_ok());
+    const Image image = renderer_.read_pixels().value();
+    std::map<std::pair<int, int>, Vec3d> shown;  // by place, in tenths
+    for (int y = 0; y < kTexturedSize.height; y += 3)
+      for (int x = 0; x < kTexturedSize.width; ++x) {
+        const auto hit =
+            document().surface().hit_at(workspace_.viewport.camera, kTexturedSize, {x, y}, false);
+        if (!hit) continue;
+        const auto* pixel = image.pixel(x, y);
+        shown[tenths(hit->original.x(), hit->original.y())] = Vec3d(pixel[0], pixel[1], pixel[2]);
+      }
+    std::vector<double> steps;
+    for (int seam = grid_.cells; seam < grid_.side(); seam += grid_.cells)
+      for (const auto& [place, colour] : shown) {
+        if (place.first < 10 * seam - 2 || place.first >= 10 * seam) continue;
+        for (const int across : {10 * seam, 10 * seam + 1})
+          if (const auto other = shown.find({across, place.second}); other != shown.end())
+            steps.push_back((colour - other->second).cwiseAbs().mean());
+      }
+    EXPECT_GT(steps.size(), 20u);
+    std::ranges::sort(steps);
+    return steps.empty() ? 0 : steps[steps.size() / 2];
+  }
+
+  const PhotoGrid grid_{.cells = 12, .texels = 92};
+
+ private:
+  static std::pair<int, int> tenths(double x, double y) {
+    return {static_cast<int>(std::floor(10 * x)), static_cast<int>(std::floor(10 * y))};
+  }
+};
+
+TEST_F(LevelledView, SeamsAreLevelInThePictureAndAsTheyWereAfterUndo) {
+  ASSERT_TRUE(open("grid session"));
+  EXPECT_EQ(version(), 0u);
+  const double before = step();
+  EXPECT_GT(before, 10);
+  document().edit(SetTexture{{.level_seams = 1}});
+  ASSERT_TRUE(until_settled());
+  EXPECT_NE(version(), 0u);
+  EXPECT_FALSE(document().levels_seams());
+  EXPECT_LE(step(), 0.4 * before);
+  document().undo();
+  ASSERT_TRUE(until_settled());
+  EXPECT_EQ(version(), 0u);
+  EXPECT_NEAR(step(), before, 0.1);
+  document().redo();
+  ASSERT_TRUE(until_settled());
+  EXPECT_LE(step(), 0.4 * before);
+}
+
+TEST_F(LevelledView, TheRegionAndTheNewestAmountCount) {
+  ASSERT_TRUE(open("grid session"));
+  for (const double amount : {0.2, 0.4, 0.6, 1.0})
+    document().edit(SetTexture{{.level_seams = amount}});
+  ASSERT_TRUE(until_settled());
+  const auto newest = owner_.describe_sheets("grid", {}, "grid session");
+  ASSERT_TRUE(newest.is_ok()) << newest.status().to_string();
+  EXPECT_EQ(version(), newest->version);
+  document().protect(left_half(grid_.side()));
+  ASSERT_TRUE(until_settled());
+  EXPECT_NE(version(), newest->version);
+  EXPECT_EQ(version(), owner_.describe_sheets("grid", {}, "grid session")->version);
+}
+
+TEST_F(LevelledView, SomebodyWhoJoinsLaterSeesThemAndAClientThatComesBackTheNewest) {
+  const Edit edit{"level", SetTexture{{.level_seams = 1}}};
+  ASSERT_TRUE(owner_.apply("grid session", {&edit, 1}).is_ok());
+  ASSERT_TRUE(open("grid session"));
+  const uint64_t levelled = version();
+  EXPECT_NE(levelled, 0u);
+  server_.kill();
+  ASSERT_TRUE(pictures_until(workspace_, [this] { return document().link() == LinkState::kLost; }));
+  server_.listen = server_.address;
+  server_.start();
+  const Edit half{"half", SetTexture{{.level_seams = 0.5}}};
+  Connection again = Connection::open(server_.address, kPatience).value();
+  ASSERT_TRUE(again.apply("grid session", {&half, 1}).is_ok());
+  ASSERT_TRUE(pictures_until(workspace_, [&] {
+    return document().texture().level_seams == 0.5 && document().is_settled() &&
+           document().is_picture_settled();
+  }));
+  EXPECT_NE(version(), levelled);
+  EXPECT_EQ(version(), again.describe_sheets("grid", {}, "grid session")->version);
 }
 
 }  // namespace

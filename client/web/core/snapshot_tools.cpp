@@ -128,7 +128,8 @@ void write_tools(const Workspace& workspace, const FrontState& state, JsonWriter
   json.key("colours").open().number("beta", document.colour_filter().beta);
   json.number("alpha", document.colour_filter().alpha).close();
   json.key("texture").open().number("gain", document.texture().gain);
-  json.number("removeLight", document.texture().remove_light).close();
+  json.number("removeLight", document.texture().remove_light);
+  json.text("seams", seams_text(document)).close();
   write_brush(document.brush().brush, json);
   write_pointer(workspace, state, json);
 }

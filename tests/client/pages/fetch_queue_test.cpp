@@ -42,6 +42,15 @@ TEST(FetchQueue, SheetsComeAfterAllPagesAndInCallsOfTheirOwn) {
   EXPECT_THAT(queue.give_up_waiting(), ElementsAre(PageItem::of_sheet(7, 1)));
 }
 
+TEST(FetchQueue, SheetsOfOneVersionComeInACall) {
+  FetchQueue queue;
+  const PageItem own = PageItem::of_charts(7), other = PageItem::of_charts(7, 9);
+  const PageItem sheet = PageItem::of_sheet(7, 2, 9);
+  for (const PageItem item : {own, other, sheet}) queue.ask(item);
+  EXPECT_THAT(queue.take_batch(), ElementsAre(own));
+  EXPECT_THAT(queue.take_batch(), ElementsAre(other, sheet));
+}
+
 TEST(FetchQueue, TakesFewItemsAtOnceWhereTheyAreLarge) {
   FetchQueue queue;
   ask(queue, 0, 1000);

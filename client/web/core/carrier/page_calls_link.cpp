@@ -78,6 +78,7 @@ void PageCallsLink::fetch() {
 
 void PageCallsLink::begin(std::vector<PageItem> batch) {
   const bool is_of_sheets = batch.front().is_of_sheets();
+  const uint64_t version = batch.front().version;
   const std::string wish = is_of_sheets ? to_wire(sheets_wish(scan_, batch)).SerializeAsString()
                                         : to_wire(pages_wish(scan_, batch)).SerializeAsString();
   const auto number = delivery_.begin(std::move(batch), steady_clock::now());
@@ -87,7 +88,7 @@ void PageCallsLink::begin(std::vector<PageItem> batch) {
       route_->place().node, [this, call = *number] { listen(call); });
   call->send(wish);
   call->end_sending();
-  running_[*number] = {std::move(call), is_of_sheets, Status::ok(), false};
+  running_[*number] = {std::move(call), is_of_sheets, version, Status::ok(), false};
 }
 
 void PageCallsLink::listen(Call number) {
@@ -111,6 +112,7 @@ void PageCallsLink::take_message(Call number, Running& running, const std::vecto
   }
   if (!part->has_value()) return;
   auto& [item, content] = **part;
+  item.version = running.version;
   if (!delivery_.on_part(number, item, std::move(content), steady_clock::now()))
     running.call->cancel();
 }

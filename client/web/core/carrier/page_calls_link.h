@@ -32,7 +32,8 @@ class PageCallsLink final : public PageSource, public Clockwork {
   struct Running {
     std::unique_ptr<HostCall> call;
     bool is_of_sheets = false;
-    Status damage;  ///< of a message
+    uint64_t version = 0;  ///< of the sheets
+    Status damage;         ///< of a message
     bool has_ended = false;
   };
 

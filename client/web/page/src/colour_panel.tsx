@@ -64,7 +64,7 @@ const kTextureGainMax = 4;
 
 function Texture({ document }: PanelProps) {
   const link = useLink();
-  const { gain, removeLight } = document.texture;
+  const { gain, removeLight, seams } = document.texture;
   return (
     <>
       <Title
@@ -93,6 +93,7 @@ function Texture({ document }: PanelProps) {
         onMove={(moved) => link.send(command.preview(command.texture(gain, moved)))}
         onDone={(moved) => link.send(command.texture(gain, moved))}
       />
+      {seams && <div class="faint">{seams}</div>}
     </>
   );
 }

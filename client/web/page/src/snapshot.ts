@@ -300,7 +300,8 @@ export interface Document {
   response: number[];
   palette: { name: string; colour: number; curve: string }[];
   colours: { beta: number; alpha: number };
-  texture: { gain: number; removeLight: number };
+  /** `seams`: that the server levels them for this view, in words; else empty. */
+  texture: { gain: number; removeLight: number; seams: string };
   brush: Brush;
   tool: Tool;
   lasso: Lasso;

@@ -5,6 +5,7 @@ import { writeFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { Lab, difference, type Pixels, type Visit } from "./lab";
 import { importLettered } from "./lettered";
+import { importPhotos } from "./photos";
 
 const labs = { card: new Lab("card"), processor: new Lab("best", "plain") };
 const prepare = async (lab: Lab) => {
@@ -64,3 +65,32 @@ async function showTheTexelsOfTheWindow(lab: Lab, mean: number, most: number): P
 // OpenGL's samples and filters differ a little from those of processors.
 test("TexelsOfOpenGlAreThoseOfTheWindow", () => showTheTexelsOfTheWindow(labs.card, 1, 24));
 test("TexelsOfTheProcessorAreThoseOfTheWindow", () => showTheTexelsOfTheWindow(labs.processor, 0.01, 0));
+
+/** Returns how much brightness steps between near pixels around the middle of a picture. */
+function step({ width, height, data }: Pixels): number {
+  const red = (x: number) => data[4 * (Math.floor(height / 2) * width + x)]!;
+  let most = 0;
+  for (let x = Math.floor(0.4 * width); x < 0.6 * width; ++x) most = Math.max(most, Math.abs(red(x + 3) - red(x)));
+  return most;
+}
+
+test("SeamsThatASessionLevelsAreLevelInThePageAndTheWindow", async () => {
+  const lab = labs.processor;
+  await importPhotos(lab);
+  await lab.ask("open", "photos", "--session", "level");
+  await lab.visit(async (visit) => {
+    await visit.join("level");
+    await visit.replay(["camera 0 0", ...kTexels, "wait"]);
+    const before = step(await visit.picture());
+    assert.ok(before > 20, `the step is ${before}`);
+    await visit.replay(["texture 1 0 1", "wait"]);
+    const shown = await visit.picture();
+    assert.ok(step(shown) < 0.3 * before, `the step went from ${before} to ${step(shown)}`);
+    const lines = ["join level", "wait", `size ${shown.width}x${shown.height}`, "camera 0 0", ...kTexels, "wait"];
+    writeFileSync(lab.path("level.txt"), [...lines, "screenshot level.png", ""].join("\n"));
+    await lab.ask("window", "--script", "level.txt");
+    assert.ok(difference(shown, await visit.decode(lab.bytes("level.png"))).most <= 1);
+    await visit.replay(["undo", "wait"]);
+    assert.ok(Math.abs(step(await visit.picture()) - before) <= 1);
+  });
+});
