@@ -41,9 +41,11 @@ Result<SessionState> find_session(Connection& connection, const std::string& ses
 }
 
 // Older servers have no sheets.
-Result<SheetsDescription> sheets_of(Connection& connection, const std::string& scan,
+Result<SheetsDescription> sheets_of(Connection& connection, const SessionState& state,
                                     const Progress& progress) {
-  auto sheets = connection.describe_sheets(scan, progress);
+  const bool is_levelled = state.settings.texture.level_seams > 0;
+  auto sheets = connection.describe_sheets(state.session.scan_id, progress,
+                                           is_levelled ? state.session.id : std::string());
   const bool has_none = sheets.status().code() == StatusCode::kUnimplemented;
   return has_none ? Result<SheetsDescription>(SheetsDescription()) : std::move(sheets);
 }
@@ -55,7 +57,7 @@ Result<Opening> ask_opening(Connection& connection, const std::string& session,
   const SessionInfo& info = opening.state.session;
   ASSIGN_OR_RETURN(opening.scan, connection.describe_scan(info.scan_id, info.key.depth));
   ASSIGN_OR_RETURN(opening.pages, connection.describe_pages(info.scan_id, progress));
-  ASSIGN_OR_RETURN(opening.sheets, sheets_of(connection, info.scan_id, progress));
+  ASSIGN_OR_RETURN(opening.sheets, sheets_of(connection, opening.state, progress));
   return opening;
 }
 

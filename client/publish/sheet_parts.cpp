@@ -53,8 +53,9 @@ Result<std::vector<uint32_t>> write_blocks(Connection& connection, const Opening
   ASSIGN_OR_RETURN(const SheetHead head, decode_sheet_head(opening.sheets.head, pages));
   std::vector<uint32_t> counts;
   for (uint32_t number = 0; number < pages.block_count(); ++number) {
-    ASSIGN_OR_RETURN(const FetchedSheets fetched,
-                     fetch(connection, {opening.scan.scan.id, {number}, {}, {}}));
+    ASSIGN_OR_RETURN(
+        const FetchedSheets fetched,
+        fetch(connection, {opening.scan.scan.id, {number}, {}, {}, opening.sheets.version}));
     RETURN_IF_ERROR(parts.add(sheet_block_event(fetched.blocks.front())));
     ASSIGN_OR_RETURN(const auto of_block, sheet_counts(fetched.blocks.front(), head, pages));
     counts.insert(counts.end(), of_block.begin(), of_block.end());
@@ -62,9 +63,9 @@ Result<std::vector<uint32_t>> write_blocks(Connection& connection, const Opening
   return counts;
 }
 
-SheetsWish wish_for(const std::string& scan, uint32_t begin, uint32_t end,
+SheetsWish wish_for(const Opening& opening, uint32_t begin, uint32_t end,
                     const std::vector<uint32_t>& counts) {
-  SheetsWish wish{scan, {}, {}, {}};
+  SheetsWish wish{opening.scan.scan.id, {}, {}, {}, opening.sheets.version};
   for (uint32_t page = begin; page < end; ++page) {
     wish.charts.push_back(page);
     for (uint32_t halving = 0; halving < counts[page]; ++halving)
@@ -98,7 +99,7 @@ Result<SheetsPerPage> write_sheet_parts(Connection& connection, const Opening& o
       return cancelled("cancelled");
     const uint32_t end = std::min(begin + kPagesPerFetch, pages.page_count());
     ASSIGN_OR_RETURN(const FetchedSheets fetched,
-                     fetch(connection, wish_for(opening.scan.scan.id, begin, end, counts)));
+                     fetch(connection, wish_for(opening, begin, end, counts)));
     for (const PagePart& charts : fetched.charts)
       RETURN_IF_ERROR(add_page(charts, fetched, slots, parts));
   }

@@ -11,8 +11,7 @@ std::string text_of(const TextureFilter& filter) {
   const int size = std::snprintf(text, sizeof text, "texture gain %g, light removed by %g",
                                  filter.gain, filter.remove_light);
   if (filter.level_seams != 0)
-    std::snprintf(text + size, sizeof text - size, ", seams levelled by %g in exported pictures",
-                  filter.level_seams);
+    std::snprintf(text + size, sizeof text - size, ", seams levelled by %g", filter.level_seams);
   return text;
 }
 

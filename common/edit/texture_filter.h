@@ -10,8 +10,8 @@ inline constexpr double kTextureGainMax = 4;
 
 /// Says what becomes of a scan's colours beside their filter: how much they differ from what the
 /// grid knows of them, texels too, and how much of the light in them goes. It works in linear
-/// light, and solves nothing. Levelled seams are in exported pictures alone
-/// (common/mesh/rewrite/level_seams.h).
+/// light, and solves nothing. Levelled seams change exported pictures and sheets, and no vertex's
+/// colour (common/mesh/rewrite/level_seams.h).
 struct TextureFilter {
   double gain = 1;          ///< 0 to kTextureGainMax; 1 keeps the details
   double remove_light = 0;  ///< 0 to 1; 0 keeps the light
@@ -23,8 +23,8 @@ struct TextureFilter {
   bool changes_colours() const { return gain != 1 || remove_light != 0; }
 };
 
-/// Describes it in a few words: "texture gain 2, light removed by 0.5, seams levelled by 1
-/// in exported pictures", without what is kept of the seams.
+/// Describes it in a few words: "texture gain 2, light removed by 0.5, seams levelled by 1",
+/// without what is kept of the seams.
 std::string text_of(const TextureFilter& filter);
 
 /// Fails: invalid_argument that names the value and its limits.

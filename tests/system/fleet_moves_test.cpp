@@ -10,6 +10,7 @@
 
 #include "client/connection/session_link.h"
 #include "tests/server/postgres/postgres_cluster.h"
+#include "tests/server/prepare/sheets/photo_archive.h"
 #include "tests/system/fetched_pages.h"
 #include "tests/system/live_stream.h"
 #include "tests/system/server_process.h"
@@ -104,6 +105,36 @@ TEST_F(FleetMoves, EveryCommandWorksAtAnyServer) {
     const CommandOutcome outcome = two().burnish(words);
     EXPECT_EQ(outcome.exit_code, 0) << words[0] << ": " << outcome.output;
   }
+}
+
+TEST_F(FleetMoves, LevelledSheetsComeFromWhereTheSessionIs) {
+  const std::vector<uint8_t> zip = zip_of(PhotoGrid());
+  std::ofstream(folder_ / "photos.zip", std::ios::binary)
+      .write(reinterpret_cast<const char*>(zip.data()), static_cast<std::streamsize>(zip.size()));
+  for (ServerProcess* server : {&one(), &two()})
+    EXPECT_EQ(server->burnish({"import", (folder_ / "photos.zip").string(), "--name", "photos"})
+                  .exit_code,
+              0);
+  EXPECT_EQ(one().burnish({"open", "photos", "--session", "level"}).exit_code, 0);
+  Connection connection = Connection::open(two().address, kPatience).value();
+  const Edit edit{"level", SetTexture{{.level_seams = 1}}};
+  ASSERT_TRUE(connection.apply("level", {&edit, 1}).is_ok());
+  const auto described = connection.describe_sheets("photos", {}, "level");
+  ASSERT_TRUE(described.is_ok()) << described.status().message();
+  EXPECT_NE(described->version, 0u);
+  size_t sheets = 0;
+  const auto ignored = [](const PagePart&) { return true; };
+  const auto count = [&](const SheetPart&) { return ++sheets > 0; };
+  const SheetsWish wish{"photos", {}, {}, {{0, 0}}, described->version};
+  const Status fetched = connection.fetch_sheets(wish, {ignored, ignored, count});
+  EXPECT_TRUE(fetched.is_ok()) << fetched.message();
+  EXPECT_EQ(sheets, 1u);
+  one().kill();
+  Connection again = Connection::open(two().address, kPatience).value();
+  const auto taken_over = again.describe_sheets("photos", {}, "level");
+  ASSERT_TRUE(taken_over.is_ok()) << taken_over.status().message();
+  EXPECT_EQ(taken_over->version, described->version);
+  EXPECT_TRUE(again.fetch_sheets(wish, {ignored, ignored, count}).is_ok());
 }
 
 TEST_F(FleetMoves, ALiveLinkFollowsItsSessionAndLosesNoEdit) {

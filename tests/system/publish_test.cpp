@@ -4,6 +4,8 @@
 #include <cmath>
 #include <csignal>
 #include <cstring>
+#include <fstream>
+#include <numeric>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,6 +14,7 @@
 #include "client/publish/publication.h"
 #include "common/generate/generate.h"
 #include "common/mesh/mesh_io.h"
+#include "tests/server/prepare/sheets/photo_archive.h"
 #include "tests/system/server_process.h"
 
 namespace burnish {
@@ -63,6 +66,18 @@ class Publish : public testing::Test {
     return lengths;
   }
 
+  /// Returns the parts of a publication's pages, and those of its sheets.
+  std::pair<std::string, std::string> parts_in(const std::string& folder) const {
+    const nlohmann::json parts = scan_of(folder)["parts"];
+    const std::vector<uint32_t> lengths = lengths_in(folder);
+    const size_t of_pages = parts["blocks"].get<size_t>() + 4 * parts["pages"].get<size_t>();
+    const auto end = lengths.begin() + static_cast<ptrdiff_t>(of_pages);
+    const size_t bytes = std::accumulate(lengths.begin(), end, size_t{0});
+    const std::string all =
+        content_of(server.folder / (folder + "/" + parts["file"].get<std::string>()));
+    return {all.substr(0, bytes), all.substr(bytes)};
+  }
+
   ServerProcess server;
 };
 
@@ -103,6 +118,24 @@ TEST_F(Publish, HasTheColoursAndTheGainsOfAPage) {
   EXPECT_EQ(lengths[page + 1], 0u) << "the surface has not moved";
   EXPECT_GT(lengths[page + 2], 0u) << "its colours have changed";
   EXPECT_GT(lengths[page + 3], 0u) << "and so have the gains of its texels";
+}
+
+TEST_F(Publish, OfASessionThatLevelsSeamsHasLevelSheets) {
+  const std::vector<uint8_t> zip = zip_of(PhotoGrid());
+  std::ofstream(server.folder / "photos.zip", std::ios::binary)
+      .write(reinterpret_cast<const char*>(zip.data()), static_cast<std::streamsize>(zip.size()));
+  must({"import", path("photos.zip"), "--name", "photos"});
+  must({"open", "photos", "--session", "level"});
+  must({"publish", "level", path("site1")});
+  must({"edit", "level", "--edit", "texture 1 0 1"});
+  must({"publish", "level", path("site2")});
+  must({"undo", "level"});
+  must({"publish", "level", path("site3")});
+  const auto own = parts_in("site1"), levelled = parts_in("site2"), again = parts_in("site3");
+  EXPECT_FALSE(own.second.empty());
+  EXPECT_TRUE(levelled.first == own.first);
+  EXPECT_FALSE(levelled.second == own.second);
+  EXPECT_TRUE(again == own);
 }
 
 TEST_F(Publish, OfTheSameSurfaceHasTheSameParts) {

@@ -238,7 +238,7 @@ class TextureFilter:
 
     `gain`, 0 to 4: times how much they differ from what the grid knows of them. `remove_light`, 0 to
     1: how much of the light goes that was there when they were taken. `level_seams`, 0 to 1: how
-    much of the steps goes between charts of the pictures; exports have it, the view does not.
+    much of the steps goes between charts of the pictures, in exports and in views.
     """
 
     gain: float = 1.0
