@@ -48,6 +48,12 @@ void draw_texture(Document& document, MessageLog& log) {
   hint("How much goes of the light that was there when the colours were taken");
   change =
       std::max(change, linear_slider({{"Remove light", 0, 1}, "%.2f", log}, changed.remove_light));
+  if (document.has_pictures()) {
+    ImGui::TextUnformatted("Level seams");
+    hint("How much goes of the steps of brightness between photos. The server bakes them anew");
+    change =
+        std::max(change, linear_slider({{"Level seams", 0, 1}, "%.2f", log}, changed.level_seams));
+  }
   if (change == SliderChange::kMoving) document.preview(SetTexture{changed});
   if (change == SliderChange::kDone) document.commit(SetTexture{changed});
 }

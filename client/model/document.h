@@ -144,6 +144,8 @@ class Document {
   const ColourFilter& colour_filter() const { return settings_.colour; }
   /// The texture filter of the scan's colours, likewise.
   const TextureFilter& texture() const { return settings_.texture; }
+  /// Returns whether this view shows the scan's pictures.
+  bool has_pictures() const { return surface_->textures() != nullptr; }
   /// Returns whether the server levels the seams of pictures, for this view to show them.
   bool levels_seams() const { return is_finding_textures_ && seams_asked_->amount > 0; }
 

@@ -129,6 +129,8 @@ void write_tools(const Workspace& workspace, const FrontState& state, JsonWriter
   json.number("alpha", document.colour_filter().alpha).close();
   json.key("texture").open().number("gain", document.texture().gain);
   json.number("removeLight", document.texture().remove_light);
+  json.number("levelSeams", document.texture().level_seams);
+  json.flag("hasPictures", document.has_pictures());
   json.text("seams", seams_text(document)).close();
   write_brush(document.brush().brush, json);
   write_pointer(workspace, state, json);

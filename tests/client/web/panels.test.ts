@@ -384,10 +384,13 @@ test("ColoursAreFilteredAndShown", () =>
     await visit.sent("colours 1 50");
     await panel.getByRole("textbox", { name: "Texture gain as a number" }).fill("2.5");
     await visit.page.keyboard.press("Enter");
-    await visit.sent("texture 2.5 0");
+    await visit.sent("texture 2.5 0 0");
     await panel.getByRole("textbox", { name: "Remove light as a number" }).fill("0.5");
     await visit.page.keyboard.press("Enter");
-    await visit.sent("texture 1 0.5");
+    await visit.sent("texture 1 0.5 0");
+    await panel.getByRole("textbox", { name: "Level seams as a number" }).fill("0.8");
+    await visit.page.keyboard.press("Enter");
+    await visit.sent("texture 1 0 0.8");
   }));
 
 test("HistorySwitchesRestoresAndForks", () =>

@@ -89,7 +89,7 @@ export const session: Document = {
   response: Array.from({ length: 97 }, (_, i) => 1 + 0.5 * Math.exp(-(((i - 40) / 14) ** 2))),
   palette: [{ name: "soft", colour: 0xd9534f, curve: "50" }],
   colours: { beta: 1, alpha: 50 },
-  texture: { gain: 1, removeLight: 0 },
+  texture: { gain: 1, removeLight: 0, levelSeams: 0, hasPictures: true, seams: "" },
   brush: { radius: 4, strength: 0.5, beta: 0, fallOff: "smooth", paints: "beta", through: false },
   tool: "paint",
   lasso: "off",

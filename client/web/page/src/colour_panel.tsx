@@ -64,7 +64,7 @@ const kTextureGainMax = 4;
 
 function Texture({ document }: PanelProps) {
   const link = useLink();
-  const { gain, removeLight, seams } = document.texture;
+  const { gain, removeLight, levelSeams, seams, hasPictures } = document.texture;
   return (
     <>
       <Title
@@ -77,8 +77,8 @@ function Texture({ document }: PanelProps) {
         scale={linear(0, kTextureGainMax)}
         format={short}
         disabled={isViewer(document)}
-        onMove={(moved) => link.send(command.preview(command.texture(moved, removeLight)))}
-        onDone={(moved) => link.send(command.texture(moved, removeLight))}
+        onMove={(moved) => link.send(command.preview(command.texture(moved, removeLight, levelSeams)))}
+        onDone={(moved) => link.send(command.texture(moved, removeLight, levelSeams))}
       />
       <Title
         text="Remove light"
@@ -90,9 +90,26 @@ function Texture({ document }: PanelProps) {
         scale={linear(0, 1)}
         format={short}
         disabled={isViewer(document)}
-        onMove={(moved) => link.send(command.preview(command.texture(gain, moved)))}
-        onDone={(moved) => link.send(command.texture(gain, moved))}
+        onMove={(moved) => link.send(command.preview(command.texture(gain, moved, levelSeams)))}
+        onDone={(moved) => link.send(command.texture(gain, moved, levelSeams))}
       />
+      {hasPictures && (
+        <>
+          <Title
+            text="Level seams"
+            hint="How much goes of the steps of brightness between photos. The server bakes them anew"
+          />
+          <Slider
+            name="Level seams"
+            value={levelSeams}
+            scale={linear(0, 1)}
+            format={short}
+            disabled={isViewer(document)}
+            onMove={(moved) => link.send(command.preview(command.texture(gain, removeLight, moved)))}
+            onDone={(moved) => link.send(command.texture(gain, removeLight, moved))}
+          />
+        </>
+      )}
       {seams && <div class="faint">{seams}</div>}
     </>
   );

@@ -17,7 +17,7 @@ export const frontCommands: readonly FrontCommand[] = [
   { form: "preview edges FILTER STRENGTH ANGLE PASSES CRISPNESS", means: "shows kept edges during a drag" },
   { form: "preview palette CURVE RRGGBB NAME [; ...]", means: "shows a palette during a drag" },
   { form: "preview colours BETA ALPHA", means: "shows a filter of colours during a drag" },
-  { form: "preview texture GAIN LIGHT", means: "the same for the texture" },
+  { form: "preview texture GAIN LIGHT SEAMS", means: "the same for the texture" },
   { form: "preview controls PIN CAP KEEP", means: "shows controls during a drag" },
   { form: "plot grab X Y REACH_X REACH_Y", means: "takes the curve's point there, or adds one" },
   { form: "plot take N", means: "takes the curve's point N, from 0" },
@@ -101,7 +101,7 @@ export const command = {
   firstBands: () => "bands first",
   palette: paletteText,
   colours: (beta: number, alpha: number) => words("colours", beta, alpha),
-  texture: (gain: number, removeLight: number) => words("texture", gain, removeLight),
+  texture: (gain: number, removeLight: number, levelSeams: number) => words("texture", gain, removeLight, levelSeams),
   preview: (line: string) => "preview " + line,
 
   curve: (text: string) => words("curve", text),

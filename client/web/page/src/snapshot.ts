@@ -301,7 +301,7 @@ export interface Document {
   palette: { name: string; colour: number; curve: string }[];
   colours: { beta: number; alpha: number };
   /** `seams`: that the server levels them for this view, in words; else empty. */
-  texture: { gain: number; removeLight: number; seams: string };
+  texture: { gain: number; removeLight: number; levelSeams: number; seams: string; hasPictures: boolean };
   brush: Brush;
   tool: Tool;
   lasso: Lasso;
