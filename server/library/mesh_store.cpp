@@ -94,13 +94,14 @@ Result<ImportOutcome> MeshStore::import(Upload& upload, const ImportHeader& head
   RETURN_IF_ERROR(take_upload(upload, id, progress));
   {
     const bool is_small = is_prepared_in_a_moment(upload.path(), header.format);
-    ASSIGN_OR_RETURN(const auto turn, preparing_.wait(id, is_small, progress));
+    ASSIGN_OR_RETURN(auto turn, preparing_.wait(id, is_small, progress));
+    const Progress in_turn = turn.progress(progress);
     const auto known = read_scan_folder(scan_folder(id));
     const StatusCode code = known.status().code();
     if (code == StatusCode::kNotFound || code == StatusCode::kDataLoss)
-      return import_new(upload, id, header, progress);
+      return import_new(upload, id, header, in_turn);
     RETURN_IF_ERROR(known.status());
-    const Status checked = check_original(scan_folder(id), *known, progress);
+    const Status checked = check_original(scan_folder(id), *known, in_turn);
     if (checked.code() == StatusCode::kCancelled) return checked;
     if (!checked.is_ok()) RETURN_IF_ERROR(replace_original(scan_folder(id), *known, upload.path()));
   }

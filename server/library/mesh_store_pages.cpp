@@ -39,12 +39,12 @@ Result<std::shared_ptr<const ScanPages>> MeshStore::open_pages(const std::string
   auto pages = open_page_file(id);
   if (pages.is_ok() || !can_be_made_again(pages.status().code())) return pages;
   RETURN_IF_ERROR(bring_here(id, progress));
-  ASSIGN_OR_RETURN(const auto turn, wait_to_prepare(id, progress));
+  ASSIGN_OR_RETURN(auto turn, wait_to_prepare(id, progress));
   pages = open_page_file(id);  // somebody else may have made them meanwhile
   if (pages.is_ok() || !can_be_made_again(pages.status().code())) return pages;
   if (pages.status().code() == StatusCode::kDataLoss)
     spdlog::warn("making pages again: {}", pages.status().message());
-  RETURN_IF_ERROR(make_pages(id, progress));
+  RETURN_IF_ERROR(make_pages(id, turn.progress(progress)));
   return open_page_file(id);
 }
 

@@ -57,8 +57,8 @@ Status MeshStore::prepare_scan(const std::string& id, const PreparedKey& key,
                                const Progress& progress) {
   RETURN_IF_ERROR(bring_here(id, progress));
   if (read_prepared_summary(prepared_path(id, key)).is_ok()) return Status::ok();
-  ASSIGN_OR_RETURN(const auto turn, wait_to_prepare(id, progress));
-  return make_prepared(id, key, progress);
+  ASSIGN_OR_RETURN(auto turn, wait_to_prepare(id, progress));
+  return make_prepared(id, key, turn.progress(progress));
 }
 
 Status MeshStore::make_prepared(const std::string& id, const PreparedKey& key,
@@ -161,17 +161,18 @@ Result<std::shared_ptr<SharedMesh>> MeshStore::read_kept(const std::string& id,
 Result<std::shared_ptr<SharedMesh>> MeshStore::read_with_hierarchy(const std::string& id,
                                                                    const PreparedKey& key,
                                                                    const Progress& progress) {
-  ASSIGN_OR_RETURN(const auto turn, wait_to_prepare(id, progress));
-  RETURN_IF_ERROR(make_prepared(id, key, progress));
+  ASSIGN_OR_RETURN(auto turn, wait_to_prepare(id, progress));
+  const Progress in_turn = turn.progress(progress);
+  RETURN_IF_ERROR(make_prepared(id, key, in_turn));
   auto read = read_charged(id, key);
   if (can_be_made_again(read.status())) {
     spdlog::warn("preparing again: {}", read.status().message());
-    RETURN_IF_ERROR(rebuild(id, key, progress));
+    RETURN_IF_ERROR(rebuild(id, key, in_turn));
     read = read_charged(id, key);
   }
   ASSIGN_OR_RETURN(auto mesh, std::move(read));
   RETURN_IF_ERROR(with_memory_for("the hierarchy of scan " + short_id(id), [&]() -> Status {
-    return find_hierarchy(id, key, *mesh, progress);
+    return find_hierarchy(id, key, *mesh, in_turn);
   }));
   return mesh;
 }

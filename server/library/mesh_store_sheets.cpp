@@ -79,13 +79,13 @@ Result<std::shared_ptr<const ScanSheets>> MeshStore::open_sheets(const std::stri
   ASSIGN_OR_RETURN(const auto pages, open_pages(id, progress));
   auto sheets = open_sheet_file(pages, version);
   if (sheets.is_ok() || !is_to_be_made(sheets.status().code())) return sheets;
-  ASSIGN_OR_RETURN(const auto turn, wait_to_prepare(id, progress));
+  ASSIGN_OR_RETURN(auto turn, wait_to_prepare(id, progress));
   sheets = open_sheet_file(pages, version);  // somebody else may have made them meanwhile
   if (sheets.is_ok() || !is_to_be_made(sheets.status().code())) return sheets;
   if (sheets.status().code() != StatusCode::kNotFound)
     spdlog::warn("making sheets again: {}", sheets.status().message());
   if (without_pictures_.has(id)) return std::shared_ptr<const ScanSheets>();
-  ASSIGN_OR_RETURN(const bool is_made, make_sheets(*pages, seams, progress));
+  ASSIGN_OR_RETURN(const bool is_made, make_sheets(*pages, seams, turn.progress(progress)));
   if (is_made) return open_sheet_file(pages, version);
   without_pictures_.add(id);
   return std::shared_ptr<const ScanSheets>();

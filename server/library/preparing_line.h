@@ -1,8 +1,12 @@
 #pragma once
 
+#include <chrono>
+#include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "common/base/progress.h"
 #include "common/base/status.h"
@@ -13,27 +17,42 @@ namespace burnish {
 
 /// The line of the scans that wait to be prepared. A preparation uses all cores and much memory, so
 /// one runs at a time. Beside it one small scan is prepared, so that small scans pass large ones.
-/// Calls for the same scan have their turns one after the other. Thread-safe.
+/// Who seemed small and takes long waits with the large ones before it goes on. Calls for the same
+/// scan have their turns one after the other. Thread-safe.
 class PreparingLine {
  public:
+  using Clock = std::function<std::chrono::steady_clock::time_point()>;
+  /// A small scan keeps its place for so long.
+  static constexpr std::chrono::seconds kSmallMax{10};
+
+  explicit PreparingLine(Clock clock = std::chrono::steady_clock::now) : clock_(std::move(clock)) {}
+
   /// The right to prepare a scan, while it lives. Needs: its line outlives it.
   class Turn {
    public:
     Turn(Turn&&) = default;
 
+    /// Returns the progress to prepare with: it waits once a small scan has had its time. Needs:
+    /// this outlives it.
+    Progress progress(const Progress& told);
+
    private:
     friend class PreparingLine;
-    Turn() = default;
+    explicit Turn(PreparingLine& line) : line_(&line) {}
+    Status change_places(const Progress& told);
 
+    PreparingLine* line_;
     std::shared_ptr<FairMutex> scan_;
     std::unique_lock<FairMutex> scan_lock_;
     std::unique_lock<FairMutex> place_lock_;
+    std::optional<std::chrono::steady_clock::time_point> end_;  ///< of a small scan's place
   };
 
   /// Waits in line. Fails: cancelled.
   Result<Turn> wait(const std::string& scan_id, bool is_small, const Progress& progress);
 
  private:
+  const Clock clock_;
   FairMutex large_, small_;
   FairMutexes<std::string> scans_;
 };

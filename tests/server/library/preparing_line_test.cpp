@@ -1,5 +1,6 @@
 #include "server/library/preparing_line.h"
 
+#include <chrono>
 #include <functional>
 #include <utility>
 
@@ -32,6 +33,29 @@ TEST(PreparingLine, TheSameScanHasOneTurnAtATime) {
   PreparingLine line;
   const auto turn = line.wait("coin", false, {});
   EXPECT_EQ(line.wait("coin", true, is_not_waiting).status().code(), StatusCode::kCancelled);
+}
+
+TEST(PreparingLine, WhoSeemedSmallAndTakesLongWaitsWithTheLargeOnes) {
+  std::chrono::steady_clock::time_point now;
+  PreparingLine line([&] { return now; });
+  auto needles = line.wait("needles", true, {}).value();
+  const Progress progress = needles.progress({});
+  now += PreparingLine::kSmallMax - std::chrono::seconds(1);
+  EXPECT_TRUE(progress("measuring", 0));
+  EXPECT_FALSE(line.wait("coin", true, is_not_waiting).is_ok());
+  now += std::chrono::seconds(1);
+  EXPECT_TRUE(progress("measuring", 0)) << "no large one is prepared";
+  EXPECT_TRUE(line.wait("coin", true, is_not_waiting).is_ok());
+  EXPECT_FALSE(line.wait("wall", false, is_not_waiting).is_ok());
+}
+
+TEST(PreparingLine, WhoWaitsWithTheLargeOnesCanBeCancelled) {
+  std::chrono::steady_clock::time_point now;
+  PreparingLine line([&] { return now; });
+  const auto wall = line.wait("wall", false, {});
+  auto needles = line.wait("needles", true, {}).value();
+  now += PreparingLine::kSmallMax;
+  EXPECT_FALSE(needles.progress(is_not_waiting)("measuring", 0));
 }
 
 /// Returns a small sphere after so many bytes of comments.
