@@ -80,13 +80,21 @@ void Database::Close::operator()(sqlite3* database) const {
   sqlite3_close_v2(database);
 }
 
-Result<Database> Database::open(const std::filesystem::path& path) {
+Result<Database> Database::open_with(const std::filesystem::path& path, int flags) {
   Database result;
   sqlite3* opened = nullptr;
-  const int code =
-      sqlite3_open_v2(path.c_str(), &opened, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
+  const int code = sqlite3_open_v2(path.c_str(), &opened, SQLITE_OPEN_READWRITE | flags, nullptr);
   result.database_.reset(opened);
   if (code != SQLITE_OK) return sqlite_status(opened, code).with_context(path.string());
+  return result;
+}
+
+Result<Database> Database::open_as_it_is(const std::filesystem::path& path) {
+  return open_with(path, 0);
+}
+
+Result<Database> Database::open(const std::filesystem::path& path) {
+  ASSIGN_OR_RETURN(Database result, open_with(path, SQLITE_OPEN_CREATE));
   // Takes effect only in a new, empty file.
   RETURN_IF_ERROR(result.execute("PRAGMA auto_vacuum=INCREMENTAL").with_context(path.string()));
   RETURN_IF_ERROR(result.execute("PRAGMA journal_mode=WAL").with_context(path.string()));
@@ -95,6 +103,7 @@ Result<Database> Database::open(const std::filesystem::path& path) {
   RETURN_IF_ERROR(result.execute("PRAGMA cell_size_check=ON"));
   // Debian's default overwrites deleted data: deleting would need as much disk as it frees.
   RETURN_IF_ERROR(result.execute("PRAGMA secure_delete=OFF"));
+  sqlite3* const opened = result.database_.get();
   if (!add_row_checksum(opened)) return sqlite_status(opened, sqlite3_errcode(opened));
   return result;
 }

@@ -58,6 +58,8 @@ class Database {
  public:
   /// Fails: data_loss (damaged), resource_exhausted (disk full), as SQLite says.
   static Result<Database> open(const std::filesystem::path& path);
+  /// Opens a file that is there, and changes nothing of it. Fails: likewise.
+  static Result<Database> open_as_it_is(const std::filesystem::path& path);
 
   Status execute(const char* sql);
 
@@ -67,6 +69,7 @@ class Database {
   Result<Statement> prepare(const char* sql);
 
  private:
+  static Result<Database> open_with(const std::filesystem::path& path, int flags);
   struct Close {
     void operator()(sqlite3* database) const;
   };

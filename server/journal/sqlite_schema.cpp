@@ -87,14 +87,23 @@ static constexpr std::array kSteps = {
   PRAGMA user_version = 7;
 )sql"};
 
+static Result<int64_t> number(Database& database, const char* sql) {
+  ASSIGN_OR_RETURN(Statement query, database.prepare(sql));
+  RETURN_IF_ERROR(query.run());
+  return query.integer(0);
+}
+
+Result<bool> has_journal_schema(const std::filesystem::path& path) {
+  ASSIGN_OR_RETURN(Database database, Database::open_as_it_is(path));
+  ASSIGN_OR_RETURN(const int64_t version, number(database, "PRAGMA user_version"));
+  return version != 0;
+}
+
 Status make_journal_schema(Database& database) {
   ASSIGN_OR_RETURN(Transaction transaction, Transaction::begin(database));
-  int64_t version = 0;
-  {
-    ASSIGN_OR_RETURN(Statement query, database.prepare("PRAGMA user_version"));
-    RETURN_IF_ERROR(query.run());
-    version = query.integer(0);
-  }
+  ASSIGN_OR_RETURN(int64_t version, number(database, "PRAGMA user_version"));
+  ASSIGN_OR_RETURN(const int64_t objects, number(database, "SELECT COUNT(*) FROM sqlite_schema"));
+  if (version == 0 && objects > 0) return data_loss("it is a database of another program");
   const auto newest = static_cast<int64_t>(kSteps.size());
   if (version < 0 || version > newest)
     return data_loss("its version is " + std::to_string(version) + ", this program knows " +

@@ -85,6 +85,10 @@ void DataFolder::keep_spare() const {
   ::close(file);
 }
 
+bool DataFolder::has_room_to_start() const {
+  return free_bytes() >= kSpareSlice;
+}
+
 bool DataFolder::give_spare() const {
   std::error_code error;
   const uint64_t size = fs::file_size(spare(), error);

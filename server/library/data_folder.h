@@ -39,6 +39,8 @@ class DataFolder {
   /// Keeps a little of the disk while there is plenty. Without it a server could not start on a
   /// full disk, and nobody could delete scans.
   void keep_spare() const;
+  /// Returns whether the disk has room for a start.
+  bool has_room_to_start() const;
   /// Gives a part of that back to the disk, enough for one start. Returns whether there was any.
   bool give_spare() const;
 

@@ -10,6 +10,7 @@
 #include "server/fleet/pg_catalogue.h"
 #include "server/journal/journal_copy.h"
 #include "server/journal/sqlite_journal.h"
+#include "server/journal/sqlite_schema.h"
 #include "server/main/originals.h"
 #include "server/solver/device_probe.h"
 
@@ -24,18 +25,25 @@ static Status warn_of_losses(const PgAddress& address, const ServerConfig& confi
   return Status::ok();
 }
 
-/// Opens the journal in a data folder, even if its disk is full.
+static bool give_spare(const DataFolder& folder) {
+  if (!folder.give_spare()) return false;
+  spdlog::warn("the disk of {} is full: the server starts with its spare room. Delete scans",
+               folder.path().string());
+  return true;
+}
+
+/// Opens the journal in a data folder, even if its disk is full. The room must be there before:
+/// SQLite maps a file, whose holes end the program on a full disk, and tells other errors then. A
+/// quota of the disk is seen afterwards alone.
 static Result<std::unique_ptr<Journal>> open_journal_in(const DataFolder& folder) {
+  const bool is_full = !folder.has_room_to_start() && !give_spare(folder);
   auto journal = SqliteJournal::open(folder.journal());
-  if (journal.status().code() != StatusCode::kResourceExhausted) return journal;
-  if (!folder.give_spare())
-    return resource_exhausted(
-        journal.status().message() +
-        ", and the spare room is used up: make room on the disk. What lies in "
-        "scans/*/prepared can be made again");
-  spdlog::warn("the disk of {} is full: {}; the server starts with its spare room. Delete scans",
-               folder.path().string(), journal.status().message());
-  return SqliteJournal::open(folder.journal());
+  if (journal.is_ok()) return journal;
+  if (!is_full && journal.status().code() != StatusCode::kResourceExhausted) return journal;
+  if (!is_full && give_spare(folder)) return SqliteJournal::open(folder.journal());
+  return resource_exhausted(journal.status().message() +
+                            ", and the spare room is used up: make room on the disk. What lies in "
+                            "scans/*/prepared can be made again");
 }
 
 Result<OpenedJournal> open_journal_of(const ServerConfig& config, const DataFolder& folder) {
@@ -113,8 +121,12 @@ struct LoneJournal {
 
 /// Needs: a folder of a server, if it is a folder.
 static Status check_source(const std::string& name) {
-  if (is_pg_uri(name) || std::filesystem::exists(DataFolder::journal_in(name))) return Status::ok();
-  return not_found(name + ": is neither a data folder with a journal nor the URI of a database");
+  if (is_pg_uri(name)) return Status::ok();
+  const std::filesystem::path journal = DataFolder::journal_in(name);
+  if (!std::filesystem::exists(journal))
+    return not_found(name + ": is neither a data folder with a journal nor the URI of a database");
+  ASSIGN_OR_RETURN(const bool is_journal, has_journal_schema(journal));
+  return is_journal ? Status::ok() : data_loss(journal.string() + " is no journal of this program");
 }
 
 static Result<LoneJournal> open_lone_journal(const std::string& name) {

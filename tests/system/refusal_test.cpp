@@ -45,6 +45,19 @@ TEST(Refusal, ACopyOfAJournalThatIsNotThereLeavesNothing) {
   EXPECT_FALSE(std::filesystem::exists(to));
 }
 
+TEST(Refusal, ACopyOfWhatIsNoJournalLeavesNothing) {
+  const TemporaryFolder folder;
+  const auto from = folder / "mistaken", to = folder / "target";
+  std::filesystem::create_directory(from);
+  folder.write("mistaken/journal.sqlite", "");
+  Process copy({BURNISH_SERVER_BINARY, "journal", "copy", from.string(), to.string()},
+               folder / "log");
+  EXPECT_EQ(copy.wait(kPatience), 1);
+  EXPECT_THAT(copy.output(), HasSubstr((from / "journal.sqlite").string() + " is no journal"));
+  EXPECT_EQ(std::filesystem::file_size(from / "journal.sqlite"), 0u);
+  EXPECT_FALSE(std::filesystem::exists(to));
+}
+
 TEST(Refusal, AFullDiskFailsTheImportAndTheServerLivesOn) {
   ServerProcess server;
   server.kill();

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "common/wire/edit_bytes.h"
+#include "server/journal/sqlite_schema.h"
 #include "tests/common/temporary_folder.h"
 
 namespace burnish {
@@ -125,6 +126,26 @@ TEST(SqliteJournal, OfANewerProgramIsRefused) {
   EXPECT_EQ(journal.status().code(), StatusCode::kDataLoss);
   EXPECT_THAT(journal.status().message(), HasSubstr("version is 99"));
   EXPECT_THAT(journal.status().message(), HasSubstr("backup"));
+}
+
+TEST(SqliteJournal, ADatabaseOfAnotherProgramIsNone) {
+  const TemporaryFolder folder;
+  const auto path = folder / "j.sqlite";
+  ASSERT_TRUE(Database::open(path)->execute("CREATE TABLE birds (name TEXT)").is_ok());
+  EXPECT_FALSE(has_journal_schema(path).value());
+  const Status refused = SqliteJournal::open(path).status();
+  EXPECT_EQ(refused.code(), StatusCode::kDataLoss);
+  EXPECT_THAT(refused.message(), HasSubstr("another program"));
+}
+
+TEST(SqliteJournal, AnEmptyFileIsNoneUntilItIsOpened) {
+  const TemporaryFolder folder;
+  const auto path = folder / "j.sqlite";
+  folder.write("j.sqlite", "");
+  EXPECT_FALSE(has_journal_schema(path).value());
+  EXPECT_EQ(std::filesystem::file_size(path), 0u);
+  ASSERT_TRUE(SqliteJournal::open(path).is_ok());
+  EXPECT_TRUE(has_journal_schema(path).value());
 }
 
 }  // namespace
