@@ -21,9 +21,13 @@ Result<Connection> Connection::open(const std::string& server, std::chrono::mill
   ASSIGN_OR_RETURN(auto channel, make_channel(server, trust));
   auto state = std::make_unique<State>();
   state->library = v1::Library::NewStub(channel);
-  if (!wait_until_ready(*channel, timeout))
-    return unavailable("cannot reach server " + server + " within " + seconds_text(timeout) + ": " +
+  const auto begin = std::chrono::steady_clock::now();
+  if (!wait_until_ready(*channel, timeout)) {
+    const bool is_silent = std::chrono::steady_clock::now() - begin >= timeout;
+    return unavailable("cannot reach server " + server +
+                       (is_silent ? " within " + seconds_text(timeout) : "") + ": " +
                        no_link_words(reason_of_failure(*state->library)));
+  }
   state->server = server;
   state->route = std::make_shared<ServerRoute>(server);
   state->trust = trust;

@@ -9,7 +9,8 @@ namespace burnish {
 ScanNames::Hold::~Hold() {
   if (!state_) return;
   const std::lock_guard lock(state_->mutex);
-  state_->given.erase(look_);
+  const auto given = state_->given.find(look_);
+  if (--given->second.holds == 0) state_->given.erase(given);
 }
 
 static Status has_name(const ScanInfo& other, const std::string& name) {
@@ -36,9 +37,10 @@ Result<ScanNames::Hold> ScanNames::hold(const std::string& id, const std::string
     const std::string wanted = exact ? name : numbered_scan_name(name, number);
     std::string look = look_of_name(wanted);
     const auto other = others.find(look);
-    const bool is_going = state_->given.contains(look);
+    const auto given = state_->given.find(look);
+    const bool is_going = given != state_->given.end() && (!exact || given->second.id != id);
     if (other == others.end() && !is_going) {
-      state_->given.insert(look);
+      state_->given.try_emplace(look, id).first->second.holds += 1;
       return Hold(state_, wanted, std::move(look));
     }
     if (exact && is_going)

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <mutex>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -22,11 +22,15 @@ class ScanNames {
  private:
   struct State {
     std::mutex mutex;
-    std::set<std::string> given;  // looks of the names that are held
+    struct Given {
+      std::string id;
+      int holds = 0;
+    };
+    std::map<std::string, Given> given;  // by the looks of the names that are held
   };
 
  public:
-  /// A name that nobody else gets while this lives.
+  /// A name that no other scan gets while this lives.
   class Hold {
    public:
     Hold(std::shared_ptr<State> state, std::string name, std::string look)
@@ -47,8 +51,9 @@ class ScanNames {
   explicit ScanNames(const ScanIndex& index) : index_(index) {}
 
   /// Holds a name for the scan `id` until the index has it. Unless it must be `exact`, it becomes
-  /// numbered_scan_name(). Fails: invalid_argument, as check_scan_name(); already_exists that names
-  /// the scan that has the name, or one that looks like it.
+  /// numbered_scan_name(), and another one than those that are held. Fails: invalid_argument, as
+  /// check_scan_name(); already_exists that names the scan that has the name, or one that looks
+  /// like it.
   Result<Hold> hold(const std::string& id, const std::string& name, bool exact);
 
  private:

@@ -106,7 +106,7 @@ Result<UserTable> read_users(const toml::table& root, const std::string& file) {
 Result<UserTable> read_users_file(const std::filesystem::path& path) try {
   RETURN_IF_ERROR(refuse_mode(path, S_IWOTH, "written"));
   std::ifstream file(path);
-  if (!file) return not_found("cannot read the users in " + path.string());
+  if (!file) return errno_status("cannot read the users in " + path.string(), errno);
   std::ostringstream text;
   text << file.rdbuf();
   return read_users(toml::parse(text.str()), path.string());

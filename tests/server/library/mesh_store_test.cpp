@@ -8,6 +8,7 @@
 
 #include "common/base/limits.h"
 #include "common/transfer/chunk.h"
+#include "server/library/scan_names.h"
 #include "server/library/scan_record.h"
 #include "server/memory/opening_need.h"
 #include "server/prepare/prepared_file.h"
@@ -104,6 +105,19 @@ TEST(MeshStore, AnotherScansNameOrItsLookIsRefusedAndTheSameBytesAreNot) {
   EXPECT_TRUE(import_exactly(library, sphere_file(1), "face").value().already_present);
   EXPECT_EQ(library.store->find("twin")->id, first.id);
   EXPECT_EQ(library.staged_files(), 0u);
+}
+
+TEST(MeshStore, TwoWhoGiveTheSameBytesTheSameNameAtOnceBothMay) {
+  const ScanIndex index;
+  ScanNames names(index);
+  const auto first = names.hold("id-a", "twin", true);
+  ASSERT_TRUE(first.is_ok());
+  {
+    const auto second = names.hold("id-a", "twin", true);
+    ASSERT_TRUE(second.is_ok());
+    EXPECT_EQ(second->name(), "twin");
+  }
+  EXPECT_EQ(names.hold("id-b", "twin", true).status().code(), StatusCode::kAlreadyExists);
 }
 
 TEST(MeshStore, ARenamedScanTakesNoOthersNameAndMayTakeItsOwnInAnotherCase) {
