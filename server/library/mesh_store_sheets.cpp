@@ -122,7 +122,6 @@ Result<bool> MeshStore::make_sheets(const ScanPages& pages, const SeamWish& seam
   const fs::path path = sheets_path(pages.scan_id, seams_version(seams));
   const auto build = [&](const TexturedSurface& surface) -> Status {
     const auto levelled = level(surface, seams, scan.name, budget, progress);
-    if (levelled.status().code() == StatusCode::kFailedPrecondition) return Status::ok();
     RETURN_IF_ERROR(levelled.status());
     const LevelledSeams* factors = *levelled ? &**levelled : nullptr;
     const uint64_t bytes = factors != nullptr ? factors->byte_count() : 0;

@@ -314,6 +314,12 @@ TEST_F(LevelledStore, ADamagedVersionIsMadeAgainAndTheOthersStay) {
   EXPECT_TRUE(read_of(version).is_ok());
 }
 
+TEST_F(LevelledStore, AFailureSaysNothingOfTheScansPictures) {
+  const std::vector<float> too_few(3, 1.F);
+  EXPECT_FALSE(library_.store->describe_sheets(scan_.id, {}, {1, too_few}).is_ok());
+  EXPECT_TRUE(has_sheets());
+}
+
 TEST_F(LevelledStore, LevellingCanBeCancelledInEachPhase) {
   for (const std::string cancelled : {"levelling seams", "pictures", "sheets"}) {
     const Progress cancel = [&](std::string_view phase, double) { return phase != cancelled; };
