@@ -210,7 +210,6 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
   options.find_successors = [&] { return tell_fleet_of_drain(journal); };
   const Status status = watch_over(*server, device, signals, options);
   if (!status.is_ok()) end_at_once(status);
-  set_metrics(nullptr);
   spdlog::info("stopped");
   return Status::ok();
 }

@@ -1,6 +1,7 @@
 #include "server/metrics/prometheus/exporter.h"
 
 #include <exception>
+#include <utility>
 
 #include <prometheus/exposer.h>
 
@@ -58,7 +59,10 @@ MetricsExporter::MetricsExporter(std::unique_ptr<State> state) : state_(std::mov
 MetricsExporter::~MetricsExporter() = default;
 
 std::shared_ptr<Metrics> MetricsExporter::figures() const {
-  return std::shared_ptr<Metrics>(state_->registry, state_->figures.get());
+  const auto both = std::make_shared<
+      std::pair<std::shared_ptr<prometheus::Registry>, std::shared_ptr<PrometheusFigures>>>(
+      state_->registry, state_->figures);
+  return std::shared_ptr<Metrics>(both, state_->figures.get());
 }
 
 int MetricsExporter::port() const {

@@ -28,7 +28,8 @@ class MetricsExporter {
                                                         std::function<std::vector<Gauge>()> gauges);
   ~MetricsExporter();
 
-  /// The sink behind the counters and histograms.
+  /// The sink behind the counters and histograms. It outlives the exporter: threads may still
+  /// count.
   std::shared_ptr<Metrics> figures() const;
 
   int port() const;
