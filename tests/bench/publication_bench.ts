@@ -106,7 +106,7 @@ async function visitPublication(lab: Lab, address: string): Promise<View> {
     const { first, last } = await atRest(visit);
     report(link, begun);
     console.log(`  first ${first.toFixed(0)}`);
-    const isOfSurface = ({ path }: { path: string }) => path.endsWith(".parts") || path.endsWith(".index");
+    const isOfSurface = ({ path }: { path: string }) => /\.(parts|index)(\?|$)/.test(path);
     const parts = link.asked.filter(isOfSurface);
     const viewer = link.asked.filter((one) => !isOfSurface(one));
     const surfaceKb = kilobytes(parts);

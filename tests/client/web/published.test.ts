@@ -29,7 +29,7 @@ beforeEach(() => {
   Object.assign(globalThis, {
     fetch: async (address: string | URL, { headers }: { headers?: { Range: string } } = {}) => {
       if (String(address) === kBase + kCounts.index) return new Response(Uint32Array.from(kParts, (part) => part.length));
-      assert.equal(String(address), kBase + kCounts.file);
+      assert.equal(String(address), `${kBase}${kCounts.file}?${headers!.Range}`);
       const [, begin, end] = /^bytes=(\d+)-(\d+)$/.exec(headers!.Range)!;
       ranges.push(`${begin}-${end}`);
       return answerRange(Number(begin), Number(end));

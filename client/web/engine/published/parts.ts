@@ -156,7 +156,9 @@ export class Parts {
   }
 
   private async fetchRange({ begin, end }: Pick<Range, "begin" | "end">, signal?: AbortSignal): Promise<Uint8Array> {
-    const answer = await fetch(this.file, { headers: { Range: `bytes=${begin}-${end - 1}` }, signal: signal ?? null });
+    // An address of its own: Chromium fetches parts of one address one after the other, to keep them.
+    const range = `bytes=${begin}-${end - 1}`;
+    const answer = await fetch(`${this.file}?${range}`, { headers: { Range: range }, signal: signal ?? null });
     this.checkWhole(answer.headers.get("Content-Range"));
     if (answer.status === 206) return whole(new Uint8Array(await answer.arrayBuffer()), end - begin);
     await answer.body?.cancel();
