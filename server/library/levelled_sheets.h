@@ -16,8 +16,8 @@ inline constexpr size_t kLevelledSheetsMax = 4;
 uint64_t seams_version(const SeamWish& wish);
 
 /// Notes that a client asked for these sheets of a scan now, and removes those beyond
-/// kLevelledSheetsMax that nobody has asked for the longest. Whoever has a removed file open reads
-/// it still.
+/// kLevelledSheetsMax that nobody has asked for the longest. A removed file stays readable for
+/// those who have it open.
 void keep_levelled_sheets(const std::filesystem::path& scan_folder, uint64_t version);
 
 }  // namespace burnish

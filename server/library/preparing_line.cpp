@@ -18,7 +18,7 @@ Result<PreparingLine::Turn> PreparingLine::wait(const std::string& scan_id, bool
   return turn;
 }
 
-// What reading takes says little of what needles and folds take.
+// Needles and folds take far more than reading tells.
 Status PreparingLine::Turn::change_places(const Progress& told) {
   end_.reset();
   place_lock_.unlock();

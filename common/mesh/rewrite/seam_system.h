@@ -22,8 +22,8 @@ class SeamSystem {
   /// The ends of an edge on both sides.
   using Points = std::array<uint32_t, 4>;
 
-  /// What an edge wants: that sums of the values at its points, which are multiplied before, are
-  /// what is given. One sum per sample.
+  /// The wishes of an edge, one per sample: a sum of the values at its points, which are multiplied
+  /// before, is what is given.
   class Wishes {
    public:
     void add(const Eigen::Vector4d& factors, const Vec3d& wanted, double weight) {
