@@ -86,7 +86,7 @@ Status MeshStore::check_new_name(const ImportHeader& header) {
 }
 
 Result<ImportOutcome> MeshStore::import(Upload& upload, const ImportHeader& header,
-                                        const Progress& progress) {
+                                        const Progress& progress, const std::string& user) {
   ASSIGN_OR_RETURN(const std::string id, upload.finish());
   if (!header.sha256.empty() && header.sha256 != id)
     return data_loss("the received bytes have SHA-256 " + id + ", but " + header.sha256 +
@@ -94,7 +94,7 @@ Result<ImportOutcome> MeshStore::import(Upload& upload, const ImportHeader& head
   RETURN_IF_ERROR(take_upload(upload, id, progress));
   {
     const bool is_small = is_prepared_in_a_moment(upload.path(), header.format);
-    ASSIGN_OR_RETURN(auto turn, preparing_.wait(id, is_small, progress));
+    ASSIGN_OR_RETURN(auto turn, preparing_.wait({user, id, is_small}, progress));
     const Progress in_turn = turn.progress(progress);
     const auto known = read_scan_folder(scan_folder(id));
     const StatusCode code = known.status().code();
@@ -106,7 +106,7 @@ Result<ImportOutcome> MeshStore::import(Upload& upload, const ImportHeader& head
     if (!checked.is_ok()) RETURN_IF_ERROR(replace_original(scan_folder(id), *known, upload.path()));
   }
   RETURN_IF_ERROR(repair_shared(id, progress));
-  return prepare_known(id, header.key, progress);
+  return prepare_known(id, header.key, user, progress);
 }
 
 Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& id,
@@ -143,7 +143,7 @@ Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& i
 }
 
 Result<ImportOutcome> MeshStore::import_known(const std::string& id, const PreparedKey& key,
-                                              const Progress& progress) {
+                                              const Progress& progress, const std::string& user) {
   RETURN_IF_ERROR(refresh());
   Status status = bring_here(id, progress);
   const auto scan = read_scan_folder(scan_folder(id));
@@ -153,13 +153,13 @@ Result<ImportOutcome> MeshStore::import_known(const std::string& id, const Prepa
   if (!status.is_ok())
     return not_found("the server does not have these bytes: " + status.message());
   RETURN_IF_ERROR(repair_shared(id, progress));
-  return prepare_known(id, key, progress);
+  return prepare_known(id, key, user, progress);
 }
 
 Result<ImportOutcome> MeshStore::prepare_known(const std::string& id, const PreparedKey& key,
-                                               const Progress& progress) {
+                                               const std::string& user, const Progress& progress) {
   ASSIGN_OR_RETURN(const ScanInfo scan, read_scan_folder(scan_folder(id)));
-  RETURN_IF_ERROR(prepare_scan(id, resolve(key, scan), progress));
+  RETURN_IF_ERROR(prepare_scan(id, resolve(key, scan), progress, user));
   RETURN_IF_ERROR(read_again(id));
   ASSIGN_OR_RETURN(ScanInfo now, find(id));
   return ImportOutcome{std::move(now), true};

@@ -52,7 +52,8 @@ struct SharedLibrary {
 
 /// The library of scans on disk. A scan's folder appears complete, by one rename, or not at all.
 /// Prepared files can always be rebuilt from the original. With a shared library it lists the scans
-/// of all servers, and fetches an original when it is needed for the first time. Thread-safe.
+/// of all servers, and fetches an original when it is needed for the first time. What prepares a
+/// scan waits in line with other users; `user` says whose place it takes. Thread-safe.
 class MeshStore {
  public:
   /// Reads the library. Needs: `folder` outlives the store. Fails: as errno says.
@@ -84,13 +85,13 @@ class MeshStore {
   /// prepared mesh, and replace damaged files of the scan. Fails: invalid_argument (not a valid
   /// mesh, or not a name), already_exists (another scan's name), data_loss (not the announced
   /// bytes), resource_exhausted (disk), cancelled; then nothing is kept.
-  Result<ImportOutcome> import(Upload& upload, const ImportHeader& header,
-                               const Progress& progress);
+  Result<ImportOutcome> import(Upload& upload, const ImportHeader& header, const Progress& progress,
+                               const std::string& user = {});
 
   /// Returns the outcome of importing bytes with this hash, if the library has them. Fails:
   /// not_found if they are missing or damaged.
   Result<ImportOutcome> import_known(const std::string& id, const PreparedKey& key,
-                                     const Progress& progress);
+                                     const Progress& progress, const std::string& user = {});
 
   /// Returns the scans by name, then id, from memory. Damaged folders were logged at the start and
   /// left out.
@@ -113,13 +114,15 @@ class MeshStore {
   /// Makes the prepared file if it is missing or its header is damaged. Needs: a resolved key.
   /// Fails: resource_exhausted if memory_bytes_max or the disk has no room for it, before anything
   /// is taken; the message names the deepest depth that fits. not_found; cancelled.
-  Status prepare_scan(const std::string& id, const PreparedKey& key, const Progress& progress);
+  Status prepare_scan(const std::string& id, const PreparedKey& key, const Progress& progress,
+                      const std::string& user = {});
 
   /// Returns the mesh for a session: shared with others, else read, else prepared now. The caller
   /// holds it while using it. Needs: a resolved key. Fails: resource_exhausted if memory_bytes_max
   /// or the disk has no room, or an allocation fails; not_found; cancelled. Then nothing is held.
   Result<std::shared_ptr<const SharedMesh>> open_mesh(const std::string& id, const PreparedKey& key,
-                                                      const Progress& progress);
+                                                      const Progress& progress,
+                                                      const std::string& user = {});
 
   /// Writes the hierarchy of an open mesh beside its prepared file, unless it is there: the next
   /// opening reads it. A thread of low priority does so while somebody else holds the mesh, and
@@ -148,7 +151,8 @@ class MeshStore {
   /// levelled sheets of the last kLevelledSheetsMax wishes. Fails: as describe_pages(); data_loss
   /// (damaged pages, which are made again with the next call).
   Result<SheetsDescription> describe_sheets(const std::string& id, const Progress& progress,
-                                            const SeamWish& seams = {});
+                                            const SeamWish& seams = {},
+                                            const std::string& user = {});
 
   /// Returns whether a scan is known to show no picture: its original is here, and its directory
   /// names none. Reads the directory once.
@@ -227,9 +231,10 @@ class MeshStore {
   Result<ImportOutcome> import_new(Upload& upload, const std::string& id,
                                    const ImportHeader& header, const Progress& progress);
   Result<ImportOutcome> prepare_known(const std::string& id, const PreparedKey& key,
-                                      const Progress& progress);
+                                      const std::string& user, const Progress& progress);
   Status read_again(const std::string& id);
-  Result<PreparingLine::Turn> wait_to_prepare(const std::string& id, const Progress& progress);
+  Result<PreparingLine::Turn> wait_to_prepare(const std::string& id, const std::string& user,
+                                              const Progress& progress);
   bool is_prepared_in_a_moment(const std::filesystem::path& original, MeshFormat format) const;
   Status make_prepared(const std::string& id, const PreparedKey& key, const Progress& progress);
   Status rebuild(const std::string& id, const PreparedKey& key, const Progress& progress);
@@ -240,6 +245,7 @@ class MeshStore {
                                                 const Progress& progress);
   Result<std::shared_ptr<SharedMesh>> read_with_hierarchy(const std::string& id,
                                                           const PreparedKey& key,
+                                                          const std::string& user,
                                                           const Progress& progress);
 
   Status find_hierarchy(const std::string& id, const PreparedKey& key, SharedMesh& mesh,
@@ -260,6 +266,7 @@ class MeshStore {
       const std::shared_ptr<const ScanPages>& pages, uint64_t version);
   Result<std::shared_ptr<const ScanSheets>> open_sheets(const std::string& id,
                                                         const SeamWish& seams,
+                                                        const std::string& user,
                                                         const Progress& progress);
   Result<std::shared_ptr<const ScanSheets>> find_sheets(const std::string& id, uint64_t version);
   void drop_damaged_sheets(const std::string& id, uint64_t version, const Status& damage);

@@ -39,7 +39,7 @@ Result<std::shared_ptr<const ScanPages>> MeshStore::open_pages(const std::string
   auto pages = open_page_file(id);
   if (pages.is_ok() || !can_be_made_again(pages.status().code())) return pages;
   RETURN_IF_ERROR(bring_here(id, progress));
-  ASSIGN_OR_RETURN(auto turn, wait_to_prepare(id, progress));
+  ASSIGN_OR_RETURN(auto turn, wait_to_prepare(id, {}, progress));
   pages = open_page_file(id);  // somebody else may have made them meanwhile
   if (pages.is_ok() || !can_be_made_again(pages.status().code())) return pages;
   if (pages.status().code() == StatusCode::kDataLoss)

@@ -44,20 +44,21 @@ bool MeshStore::is_prepared_in_a_moment(const fs::path& original, MeshFormat for
 }
 
 Result<PreparingLine::Turn> MeshStore::wait_to_prepare(const std::string& id,
+                                                       const std::string& user,
                                                        const Progress& progress) {
   const fs::path folder = scan_folder(id);
   const auto scan = read_scan_folder(folder);
   const bool is_small =
       scan.is_ok() &&
       is_prepared_in_a_moment(folder / original_file_name(scan->format), scan->format);
-  return preparing_.wait(id, is_small, progress);
+  return preparing_.wait({user, id, is_small}, progress);
 }
 
 Status MeshStore::prepare_scan(const std::string& id, const PreparedKey& key,
-                               const Progress& progress) {
+                               const Progress& progress, const std::string& user) {
   RETURN_IF_ERROR(bring_here(id, progress));
   if (read_prepared_summary(prepared_path(id, key)).is_ok()) return Status::ok();
-  ASSIGN_OR_RETURN(auto turn, wait_to_prepare(id, progress));
+  ASSIGN_OR_RETURN(auto turn, wait_to_prepare(id, user, progress));
   return make_prepared(id, key, turn.progress(progress));
 }
 
@@ -160,8 +161,9 @@ Result<std::shared_ptr<SharedMesh>> MeshStore::read_kept(const std::string& id,
 
 Result<std::shared_ptr<SharedMesh>> MeshStore::read_with_hierarchy(const std::string& id,
                                                                    const PreparedKey& key,
+                                                                   const std::string& user,
                                                                    const Progress& progress) {
-  ASSIGN_OR_RETURN(auto turn, wait_to_prepare(id, progress));
+  ASSIGN_OR_RETURN(auto turn, wait_to_prepare(id, user, progress));
   const Progress in_turn = turn.progress(progress);
   RETURN_IF_ERROR(make_prepared(id, key, in_turn));
   auto read = read_charged(id, key);
@@ -180,7 +182,8 @@ Result<std::shared_ptr<SharedMesh>> MeshStore::read_with_hierarchy(const std::st
 // Locks only this mesh: the trials of a plan take seconds, and other scans must go on.
 Result<std::shared_ptr<const SharedMesh>> MeshStore::open_mesh(const std::string& id,
                                                                const PreparedKey& key,
-                                                               const Progress& progress) {
+                                                               const Progress& progress,
+                                                               const std::string& user) {
   if (auto shared = cache_.find({id, key})) return shared;
   const std::shared_ptr<FairMutex> making = cache_.making({id, key});
   ASSIGN_OR_RETURN(const auto lock,
@@ -189,7 +192,7 @@ Result<std::shared_ptr<const SharedMesh>> MeshStore::open_mesh(const std::string
   RETURN_IF_ERROR(bring_here(id, progress));
   auto read = read_kept(id, key, progress);
   if (!read.is_ok() && read.status().code() != StatusCode::kCancelled)
-    read = read_with_hierarchy(id, key, progress);
+    read = read_with_hierarchy(id, key, user, progress);
   ASSIGN_OR_RETURN(const auto mesh, std::move(read));
   if (!mesh->plan) RETURN_IF_ERROR(plan(id, *mesh, progress));
   // Dust has more than predicted: specks have corners at all depths.

@@ -72,6 +72,7 @@ Result<bool> MeshStore::may_show_pictures(const std::string& id, const Progress&
 
 Result<std::shared_ptr<const ScanSheets>> MeshStore::open_sheets(const std::string& id,
                                                                  const SeamWish& seams,
+                                                                 const std::string& user,
                                                                  const Progress& progress) {
   const uint64_t version = seams_version(seams);
   ASSIGN_OR_RETURN(const bool may_have_sheets, may_show_pictures(id, progress));
@@ -79,7 +80,7 @@ Result<std::shared_ptr<const ScanSheets>> MeshStore::open_sheets(const std::stri
   ASSIGN_OR_RETURN(const auto pages, open_pages(id, progress));
   auto sheets = open_sheet_file(pages, version);
   if (sheets.is_ok() || !is_to_be_made(sheets.status().code())) return sheets;
-  ASSIGN_OR_RETURN(auto turn, wait_to_prepare(id, progress));
+  ASSIGN_OR_RETURN(auto turn, wait_to_prepare(id, user, progress));
   sheets = open_sheet_file(pages, version);  // somebody else may have made them meanwhile
   if (sheets.is_ok() || !is_to_be_made(sheets.status().code())) return sheets;
   if (sheets.status().code() != StatusCode::kNotFound)
@@ -164,8 +165,9 @@ static Result<std::vector<PagePart>> last_sheet_blocks(const SheetFile& file) {
 
 Result<SheetsDescription> MeshStore::describe_sheets(const std::string& id,
                                                      const Progress& progress,
-                                                     const SeamWish& seams) {
-  ASSIGN_OR_RETURN(const auto sheets, open_sheets(id, seams, progress));
+                                                     const SeamWish& seams,
+                                                     const std::string& user) {
+  ASSIGN_OR_RETURN(const auto sheets, open_sheets(id, seams, user, progress));
   SheetsDescription description;
   if (sheets == nullptr) return description;
   description.version = sheets->version;

@@ -6,19 +6,21 @@ namespace burnish {
 
 static constexpr std::string_view kWaiting = "waiting for another scan";
 
-Result<PreparingLine::Turn> PreparingLine::wait(const std::string& scan_id, bool is_small,
-                                                const Progress& progress) {
+Result<PreparingLine::Turn> PreparingLine::wait(const Wish& wish, const Progress& progress) {
   Turn turn(*this);
-  turn.scan_ = scans_.of(scan_id);
+  turn.user_ = users_.of({wish.user, wish.is_small});
+  ASSIGN_OR_RETURN(turn.user_lock_, lock_or_cancel(*turn.user_, kWaiting, progress));
+  turn.scan_ = scans_.of(wish.scan_id);
   ASSIGN_OR_RETURN(turn.scan_lock_,
                    lock_or_cancel(*turn.scan_, "waiting for another call for the scan", progress));
   ASSIGN_OR_RETURN(turn.place_lock_,
-                   lock_or_cancel(is_small ? small_ : large_, kWaiting, progress));
-  if (is_small) turn.end_ = clock_() + kSmallMax;
+                   lock_or_cancel(wish.is_small ? small_ : large_, kWaiting, progress));
+  if (wish.is_small) turn.end_ = clock_() + kSmallMax;
   return turn;
 }
 
-// Needles and folds take far more than reading tells.
+// Needles and folds take far more than reading tells. The user's place among the large scans is not
+// taken: who holds it may wait for this scan.
 Status PreparingLine::Turn::change_places(const Progress& told) {
   end_.reset();
   place_lock_.unlock();

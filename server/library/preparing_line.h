@@ -17,8 +17,9 @@ namespace burnish {
 
 /// The line of the scans that wait to be prepared. A preparation uses all cores and much memory, so
 /// one runs at a time. Beside it one small scan is prepared, so that small scans pass large ones.
-/// Who seemed small and takes long waits with the large ones before it goes on. Calls for the same
-/// scan have their turns one after the other. Thread-safe.
+/// Who seemed small and takes long waits with the large ones before it goes on. A user has one
+/// place among the large scans and one among the small: who asks for many keeps others waiting for
+/// one. Calls for the same scan have their turns one after the other. Thread-safe.
 class PreparingLine {
  public:
   using Clock = std::function<std::chrono::steady_clock::time_point()>;
@@ -42,18 +43,25 @@ class PreparingLine {
     Status change_places(const Progress& told);
 
     PreparingLine* line_;
-    std::shared_ptr<FairMutex> scan_;
-    std::unique_lock<FairMutex> scan_lock_;
+    std::shared_ptr<FairMutex> user_, scan_;
+    std::unique_lock<FairMutex> user_lock_, scan_lock_;
     std::unique_lock<FairMutex> place_lock_;
     std::optional<std::chrono::steady_clock::time_point> end_;  ///< of a small scan's place
   };
 
+  struct Wish {
+    std::string user;
+    std::string scan_id;
+    bool is_small = false;
+  };
   /// Waits in line. Fails: cancelled.
-  Result<Turn> wait(const std::string& scan_id, bool is_small, const Progress& progress);
+  Result<Turn> wait(const Wish& wish, const Progress& progress);
 
  private:
   const Clock clock_;
   FairMutex large_, small_;
+  // Taken in this order, one of each: users, scans, large or small.
+  FairMutexes<std::pair<std::string, bool>> users_;  // by name, and whether the scan is small
   FairMutexes<std::string> scans_;
 };
 

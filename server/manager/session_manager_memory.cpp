@@ -66,7 +66,8 @@ Status SessionManager::charge(SessionEntry& entry, const Caller& caller, Quota::
 Status SessionManager::open_solver(SessionEntry& entry, Coming& coming, const Progress& progress) {
   const SessionRecord& record = entry.record;
   if (!coming.mesh) {
-    ASSIGN_OR_RETURN(coming.mesh, store_.open_mesh(record.scan_id, record.key, progress));
+    ASSIGN_OR_RETURN(coming.mesh,
+                     store_.open_mesh(record.scan_id, record.key, progress, entry.opened_by));
   }
   const SharedMesh& mesh = *coming.mesh;
   entry.layers = {};

@@ -131,7 +131,7 @@ Result<ForkedSession> SessionManager::fork(const ForkWish& wish, const Caller& c
   SessionRecord record = source;
   if (wish.depth != 0) record.key.depth = wish.depth;
   if (record.key != source.key)
-    RETURN_IF_ERROR(store_.prepare_scan(record.scan_id, record.key, progress));
+    RETURN_IF_ERROR(store_.prepare_scan(record.scan_id, record.key, progress, caller.user));
   record.id = random_name();
   record.name = wish.name.empty() ? record.name + "-" + record.id.substr(0, 6) : wish.name;
   record.created_unix_seconds = unix_seconds_now();

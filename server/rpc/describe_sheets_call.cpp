@@ -27,8 +27,9 @@ Status DescribeSheetsCall::describe() {
     ASSIGN_OR_RETURN(seams,
                      calls_.sessions.seams(request_.session(), scan.id, calls_.caller, giving_way));
   }
-  ASSIGN_OR_RETURN(const SheetsDescription description,
-                   calls_.store.describe_sheets(scan.id, giving_way, {seams.amount, seams.free}));
+  ASSIGN_OR_RETURN(
+      const SheetsDescription description,
+      calls_.store.describe_sheets(scan.id, giving_way, {seams.amount, seams.free}, calls_.user));
   v1::DescribeSheetsEvent event;
   *event.mutable_done() = to_wire(description);
   events_.push(std::move(event));

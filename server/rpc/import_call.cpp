@@ -69,7 +69,8 @@ Status ImportCall::take_header(const v1::ImportHeader& message) {
 }
 
 void ImportCall::look_for_known() {
-  const auto known = calls_.store.import_known(header_.sha256, header_.key, progress());
+  const auto known =
+      calls_.store.import_known(header_.sha256, header_.key, progress(), calls_.user);
   if (known.is_ok() || known.status().code() != StatusCode::kNotFound) return end(known);
   const Status name = calls_.store.check_new_name(header_);
   if (!name.is_ok()) return end(name);
@@ -95,9 +96,9 @@ void ImportCall::end_of_requests() {
   const Status stays = calls_.may_stay ? calls_.may_stay() : Status::ok();
   if (!stays.is_ok()) return end(stays);
   const auto import = [call = self()] {
-    call->end(
-        call->calls_.store.import(*call->upload_, call->header_,
-                                  give_way_to(call->calls_.live.scheduler(), call->progress())));
+    call->end(call->calls_.store.import(
+        *call->upload_, call->header_, give_way_to(call->calls_.live.scheduler(), call->progress()),
+        call->calls_.user));
   };
   calls_.executor.post(Lane::kLong, import, failing());
 }

@@ -32,8 +32,8 @@ Result<ScanInfo> PrepareCall::prepare() {
   const Progress progress = [this](std::string_view phase, double fraction) {
     return report_progress(phase, fraction);
   };
-  RETURN_IF_ERROR(calls_.store.prepare_scan(scan.id, resolve(key, scan),
-                                            give_way_to(calls_.live.scheduler(), progress)));
+  RETURN_IF_ERROR(calls_.store.prepare_scan(
+      scan.id, resolve(key, scan), give_way_to(calls_.live.scheduler(), progress), calls_.user));
   return calls_.store.find(scan.id);
 }
 

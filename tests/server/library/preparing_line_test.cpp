@@ -2,7 +2,12 @@
 
 #include <chrono>
 #include <functional>
+#include <future>
+#include <optional>
+#include <string>
+#include <thread>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -22,38 +27,74 @@ bool is_not_waiting(std::string_view phase, double) {
 
 TEST(PreparingLine, ASmallScanHasATurnBesideALargeOneAndAnotherLargeOneWaits) {
   PreparingLine line;
-  const auto large = line.wait("wall", false, {});
-  EXPECT_TRUE(line.wait("coin", true, is_not_waiting).is_ok());
-  EXPECT_EQ(line.wait("dome", false, is_not_waiting).status().code(), StatusCode::kCancelled);
-  const auto small = line.wait("coin", true, {});
-  EXPECT_EQ(line.wait("ring", true, is_not_waiting).status().code(), StatusCode::kCancelled);
+  const auto large = line.wait({"ann", "wall", false}, {});
+  EXPECT_TRUE(line.wait({"bob", "coin", true}, is_not_waiting).is_ok());
+  EXPECT_EQ(line.wait({"bob", "dome", false}, is_not_waiting).status().code(),
+            StatusCode::kCancelled);
+  const auto small = line.wait({"bob", "coin", true}, {});
+  EXPECT_EQ(line.wait({"cleo", "ring", true}, is_not_waiting).status().code(),
+            StatusCode::kCancelled);
 }
 
 TEST(PreparingLine, TheSameScanHasOneTurnAtATime) {
   PreparingLine line;
-  const auto turn = line.wait("coin", false, {});
-  EXPECT_EQ(line.wait("coin", true, is_not_waiting).status().code(), StatusCode::kCancelled);
+  const auto turn = line.wait({"bob", "coin", false}, {});
+  EXPECT_EQ(line.wait({"bob", "coin", true}, is_not_waiting).status().code(),
+            StatusCode::kCancelled);
+}
+
+TEST(PreparingLine, AUserHasOnePlaceAmongTheLargeScansAndOneAmongTheSmall) {
+  PreparingLine line;
+  const auto wall = line.wait({"ann", "wall", false}, {});
+  EXPECT_FALSE(line.wait({"ann", "dome", false}, is_not_waiting).is_ok());
+  const auto coin = line.wait({"ann", "coin", true}, is_not_waiting);
+  EXPECT_TRUE(coin.is_ok());
+  EXPECT_FALSE(line.wait({"ann", "ring", true}, is_not_waiting).is_ok());
+}
+
+TEST(PreparingLine, WhoAsksForManyLetsOthersPassAfterOne) {
+  PreparingLine line;
+  std::optional wall(line.wait({"ann", "wall", false}, {}).value());
+  std::vector<std::string> prepared;
+  std::promise<void> is_in_line;
+  std::thread later([&, asked = 0]() mutable {
+    const auto dome = line.wait({"ann", "dome", false}, [&](std::string_view, double) {
+      if (++asked == 2) is_in_line.set_value();
+      return true;
+    });
+    prepared.push_back("dome");
+  });
+  is_in_line.get_future().wait();
+  {
+    const auto coin = line.wait({"bob", "coin", false}, [&, asked = 0](auto, double) mutable {
+      if (++asked == 2) wall.reset();
+      return true;
+    });
+    prepared.push_back("coin");
+  }
+  later.join();
+  EXPECT_EQ(prepared, (std::vector<std::string>{"coin", "dome"}));
 }
 
 TEST(PreparingLine, WhoSeemedSmallAndTakesLongWaitsWithTheLargeOnes) {
   std::chrono::steady_clock::time_point now;
   PreparingLine line([&] { return now; });
-  auto needles = line.wait("needles", true, {}).value();
+  auto needles = line.wait({"ann", "needles", true}, {}).value();
   const Progress progress = needles.progress({});
   now += PreparingLine::kSmallMax - std::chrono::seconds(1);
   EXPECT_TRUE(progress("measuring", 0));
-  EXPECT_FALSE(line.wait("coin", true, is_not_waiting).is_ok());
+  EXPECT_FALSE(line.wait({"bob", "coin", true}, is_not_waiting).is_ok());
   now += std::chrono::seconds(1);
   EXPECT_TRUE(progress("measuring", 0)) << "no large one is prepared";
-  EXPECT_TRUE(line.wait("coin", true, is_not_waiting).is_ok());
-  EXPECT_FALSE(line.wait("wall", false, is_not_waiting).is_ok());
+  EXPECT_TRUE(line.wait({"bob", "coin", true}, is_not_waiting).is_ok());
+  EXPECT_FALSE(line.wait({"ann", "wall", false}, is_not_waiting).is_ok());
 }
 
 TEST(PreparingLine, WhoWaitsWithTheLargeOnesCanBeCancelled) {
   std::chrono::steady_clock::time_point now;
   PreparingLine line([&] { return now; });
-  const auto wall = line.wait("wall", false, {});
-  auto needles = line.wait("needles", true, {}).value();
+  const auto wall = line.wait({"ann", "wall", false}, {});
+  auto needles = line.wait({"ann", "needles", true}, {}).value();
   now += PreparingLine::kSmallMax;
   EXPECT_FALSE(needles.progress(is_not_waiting)("measuring", 0));
 }
