@@ -94,6 +94,55 @@ TEST_F(Layering, ATableWithACircleIsRefusedByLine) {
               HasSubstr("layers.txt:2: a names b, which does not stand above it"));
 }
 
+constexpr const char* kParts =
+    "layer base :\n"
+    "layer mesh : base\npart mesh/ply : mesh\npart mesh/io : mesh mesh/ply\n"
+    "part model/view :\npart model/files : model/view\nlayer model : mesh model/files\n"
+    "only thread : model\nonly fstream : model/files\n";
+
+TEST_F(Layering, WhoMayIncludeALayerMayIncludeItsParts) {
+  write("layers.txt", kParts);
+  const Layers layers = std::move(read_layers(root_ / "layers.txt")).value();
+  EXPECT_EQ(layers.objection("model", "mesh/ply/a.h"), "");
+  EXPECT_EQ(layers.objection("model/view", "mesh/io/a.h"), "");
+  EXPECT_EQ(layers.objection("mesh/ply", "base/a.h"), "");
+  EXPECT_EQ(layers.objection("model/view", "base/a.h"), "model/view may not depend on base");
+  EXPECT_EQ(layers.objection("base", "mesh/ply/a.h"), "base may not depend on mesh/ply");
+}
+
+TEST_F(Layering, APartMayIncludeThePartsThatItNames) {
+  write("layers.txt", kParts);
+  const Layers layers = std::move(read_layers(root_ / "layers.txt")).value();
+  EXPECT_EQ(layers.objection("mesh/io", "mesh/ply/a.h"), "");
+  EXPECT_EQ(layers.objection("mesh/io", "mesh/a.h"), "");
+  EXPECT_EQ(layers.objection("model", "model/files/a.h"), "");
+  EXPECT_EQ(layers.objection("mesh", "mesh/ply/a.h"), "mesh may not depend on mesh/ply");
+  EXPECT_EQ(layers.objection("mesh/ply", "mesh/io/a.h"), "mesh/ply may not depend on mesh/io");
+  EXPECT_EQ(layers.objection("model", "model/view/a.h"), "model may not depend on model/view");
+  EXPECT_EQ(layers.objection("model/files", "model/a.h"), "model/files may not depend on model");
+}
+
+TEST_F(Layering, AnOnlyLineNamesALayerWithItsPartsOrOnePart) {
+  write("layers.txt", kParts);
+  const Layers layers = std::move(read_layers(root_ / "layers.txt")).value();
+  EXPECT_EQ(layers.objection("model/view", "thread"), "");
+  EXPECT_EQ(layers.objection("model/files", "fstream"), "");
+  EXPECT_THAT(layers.objection("model", "fstream"), HasSubstr("other folders than model"));
+  EXPECT_THAT(layers.objection("model/view", "fstream"), HasSubstr("than model/view"));
+}
+
+TEST_F(Layering, APartOfAnotherLayerCannotBeNamed) {
+  write("layers.txt", "layer a :\npart a/x : a\nlayer b : a/x\n");
+  EXPECT_THAT(read_layers(root_ / "layers.txt").status().message(),
+              HasSubstr("layers.txt:3: b names a/x, but one is a part of another layer"));
+  write("layers.txt", "layer a :\nlayer b : a\npart a/x : b\n");
+  EXPECT_THAT(read_layers(root_ / "layers.txt").status().message(),
+              HasSubstr("layers.txt:3: a/x names b, but one is a part of another layer"));
+  write("layers.txt", "layer b :\npart a/x :\n");
+  EXPECT_THAT(read_layers(root_ / "layers.txt").status().message(),
+              HasSubstr("part a/x: a is not a layer"));
+}
+
 TEST(Twins, EachUnitOfABackendHasATwinOrAReason) {
   EXPECT_THAT(check_twins(SOURCE_ROOT, fs::path(SOURCE_ROOT) / "tests/layering/twins.txt"),
               IsEmpty());

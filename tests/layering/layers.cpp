@@ -11,19 +11,40 @@ bool is_below(const std::string& path, const std::string& layer) {
   return path.size() == layer.size() || path[layer.size()] == '/' || path[layer.size()] == '.';
 }
 
+std::string folder_of(const std::string& path) {
+  return path.substr(0, path.rfind('/'));
+}
+
+// A part names what lies beside it alone, and only that names a part.
+bool may_name(const std::string& name, const std::string& other, const Layers& layers) {
+  if (!layers.parts.contains(name) && !layers.parts.contains(other)) return true;
+  return layers.whole_of(name) == layers.whole_of(other);
+}
+
 Status add_line(const std::string& line, Layers& layers) {
   std::istringstream words(line);
   std::string kind, name, colon, other;
   words >> kind >> name >> colon;
-  if ((kind != "layer" && kind != "only") || colon != ":")
-    return invalid_argument("expected 'layer PATH : ...' or 'only PREFIX : ...'");
+  if ((kind != "layer" && kind != "part" && kind != "only") || colon != ":")
+    return invalid_argument(
+        "expected 'layer PATH : ...', 'part PATH : ...' or 'only PREFIX : ...'");
+  if (kind == "part") layers.parts.insert(name);
   std::set<std::string> others;
   while (words >> other) {
-    if (kind == "layer" && !layers.allowed.contains(other))
+    if (kind != "only" && !layers.allowed.contains(other))
       return invalid_argument(name + " names " + other + ", which does not stand above it");
+    if (kind != "only" && !may_name(name, other, layers))
+      return invalid_argument(name + " names " + other + ", but one is a part of another layer");
     others.insert(other);
   }
-  (kind == "layer" ? layers.allowed : layers.only)[name] = std::move(others);
+  (kind == "only" ? layers.only : layers.allowed)[name] = std::move(others);
+  return Status::ok();
+}
+
+Status check_parts(const Layers& layers) {
+  for (const std::string& part : layers.parts)
+    if (layers.parts.contains(folder_of(part)) || !layers.allowed.contains(folder_of(part)))
+      return invalid_argument("part " + part + ": " + folder_of(part) + " is not a layer");
   return Status::ok();
 }
 
@@ -36,13 +57,21 @@ std::optional<std::string> Layers::layer_of(const std::string& path) const {
   return longest;
 }
 
+std::string Layers::whole_of(const std::string& layer) const {
+  return parts.contains(layer) ? folder_of(layer) : layer;
+}
+
 std::string Layers::objection(const std::string& layer, const std::string& name) const {
+  const std::string whole = whole_of(layer);
   for (const auto& [prefix, users] : only) {
-    if (!name.starts_with(prefix) || users.contains(layer)) continue;
+    if (!name.starts_with(prefix) || users.contains(layer) || users.contains(whole)) continue;
     return name + " is only for other folders than " + layer;
   }
   const auto other = layer_of(name);
   if (!other || *other == layer || allowed.at(layer).contains(*other)) return {};
+  // Two parts of a layer name each other. All else is as with their layers.
+  const std::string other_whole = whole_of(*other);
+  if (other_whole != whole && allowed.at(whole).contains(other_whole)) return {};
   return layer + " may not depend on " + *other;
 }
 
@@ -56,6 +85,7 @@ Result<Layers> read_layers(const std::filesystem::path& table) {
     RETURN_IF_ERROR(
         add_line(line, layers).with_context(table.string() + ":" + std::to_string(number)));
   }
+  RETURN_IF_ERROR(check_parts(layers).with_context(table.string()));
   return layers;
 }
 

@@ -13,12 +13,16 @@ namespace burnish {
 
 /// The table of layers.txt: it says which part of the tree may depend on which.
 struct Layers {
-  std::map<std::string, std::set<std::string>> allowed;  ///< by layer: its allowed includes
+  std::map<std::string, std::set<std::string>> allowed;  ///< by layer or part: what it names
+  std::set<std::string> parts;                           ///< each lies in its layer's folder
   std::map<std::string, std::set<std::string>> only;     ///< by foreign prefix: its allowed users
 
   /// Returns the layer of a path below the root: the longest one that is the path, its folder or
   /// its stem.
   std::optional<std::string> layer_of(const std::string& path) const;
+
+  /// Returns the layer that a part lies in, and any other layer itself.
+  std::string whole_of(const std::string& layer) const;
 
   /// Returns nothing if a file of `layer` may use `name`, an include path or a CMake target; else
   /// the reason.
@@ -26,7 +30,7 @@ struct Layers {
 };
 
 /// Fails: invalid_argument that names the line, for unknown words, and for a layer that names one
-/// below it, so that no circle can be declared.
+/// below it, or a part of another, so that no circle can be declared.
 Result<Layers> read_layers(const std::filesystem::path& table);
 
 /// Checks every `#include "..."` and `#include <...>` of the sources below root/folder for each
