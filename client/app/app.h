@@ -17,10 +17,10 @@
 #include "client/app/window.h"
 #include "client/app/window_renderer.h"
 #include "client/gl/fence.h"
-#include "client/model/bindings.h"
-#include "client/model/leaving.h"
-#include "client/model/letters.h"
-#include "client/model/workspace.h"
+#include "client/model/input/bindings.h"
+#include "client/model/workspace/leaving.h"
+#include "client/model/workspace/letters.h"
+#include "client/model/workspace/workspace.h"
 
 namespace burnish {
 

@@ -5,7 +5,7 @@
 
 #include "client/app/app.h"
 #include "client/app/words.h"
-#include "client/model/document_actions.h"
+#include "client/model/workspace/document_actions.h"
 #include "client/scene/png_writer.h"
 #include "common/mesh/mesh_format.h"
 

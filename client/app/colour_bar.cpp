@@ -2,7 +2,7 @@
 
 #include "client/app/places.h"
 #include "client/app/theme.h"
-#include "client/model/colour_scale.h"
+#include "client/model/view/colour_scale.h"
 #include "client/tools/colours.h"
 
 namespace burnish {

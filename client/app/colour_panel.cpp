@@ -5,7 +5,7 @@
 #include "client/app/places.h"
 #include "client/app/theme.h"
 #include "client/app/value_slider.h"
-#include "client/model/figures.h"
+#include "client/model/documents/figures.h"
 #include "client/tools/colours.h"
 #include "common/edit/wavelength.h"
 

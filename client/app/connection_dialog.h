@@ -1,7 +1,7 @@
 #pragma once
 
 #include "client/app/panels.h"
-#include "client/model/known_servers.h"
+#include "client/model/settings/known_servers.h"
 
 namespace burnish {
 

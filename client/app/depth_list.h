@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "client/model/depth_choice.h"
+#include "client/model/documents/depth_choice.h"
 
 namespace burnish {
 

@@ -7,7 +7,7 @@
 #include "client/app/escape.h"
 #include "client/app/places.h"
 #include "client/app/theme.h"
-#include "client/model/typed_path.h"
+#include "client/model/files/typed_path.h"
 #include "common/mesh/mesh_format.h"
 
 namespace burnish {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "client/app/panels.h"
-#include "client/model/native_dialog.h"
+#include "client/model/files/native_dialog.h"
 
 namespace burnish {
 

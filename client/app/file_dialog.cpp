@@ -8,7 +8,7 @@
 #include "client/app/places.h"
 #include "client/app/theme.h"
 #include "client/app/words.h"
-#include "client/model/typed_path.h"
+#include "client/model/files/typed_path.h"
 
 namespace burnish {
 

@@ -3,9 +3,9 @@
 #include <optional>
 
 #include "client/app/panels.h"
-#include "client/model/file_browser.h"
-#include "client/model/letters.h"
-#include "client/model/tasks.h"
+#include "client/model/files/file_browser.h"
+#include "client/model/tasks/tasks.h"
+#include "client/model/workspace/letters.h"
 
 namespace burnish {
 

@@ -3,7 +3,7 @@
 #include "client/app/places.h"
 #include "client/app/theme.h"
 #include "client/app/words.h"
-#include "client/model/figures.h"
+#include "client/model/documents/figures.h"
 
 namespace burnish {
 namespace {

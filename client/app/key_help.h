@@ -1,6 +1,6 @@
 #pragma once
 
-#include "client/model/bindings.h"
+#include "client/model/input/bindings.h"
 
 namespace burnish {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "client/model/leaving.h"
-#include "client/model/workspace.h"
+#include "client/model/workspace/leaving.h"
+#include "client/model/workspace/workspace.h"
 
 namespace burnish {
 

@@ -5,8 +5,8 @@
 #include "client/app/panels.h"
 #include "client/app/places.h"
 #include "client/app/theme.h"
-#include "client/model/figures.h"
-#include "client/model/section_view.h"
+#include "client/model/documents/figures.h"
+#include "client/model/view/section_view.h"
 #include "client/report/length_text.h"
 
 namespace burnish {

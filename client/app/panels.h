@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "client/model/workspace.h"
+#include "client/model/workspace/workspace.h"
 #include "client/tools/presets.h"
 
 namespace burnish {

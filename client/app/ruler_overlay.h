@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include "client/model/workspace.h"
+#include "client/model/workspace/workspace.h"
 
 namespace burnish {
 

@@ -4,7 +4,7 @@
 
 #include "client/app/places.h"
 #include "client/app/theme.h"
-#include "client/model/section_view.h"
+#include "client/model/view/section_view.h"
 #include "client/report/length_text.h"
 #include "client/report/section_file.h"
 

@@ -5,7 +5,7 @@
 #include "client/app/places.h"
 #include "client/app/theme.h"
 #include "client/app/words.h"
-#include "client/model/session_pictures.h"
+#include "client/model/workspace/session_pictures.h"
 #include "client/scene/png_reader.h"
 
 namespace burnish {

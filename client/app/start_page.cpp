@@ -8,7 +8,7 @@
 #include "client/app/places.h"
 #include "client/app/start_page_lists.h"
 #include "client/app/theme.h"
-#include "client/model/typed_path.h"
+#include "client/model/files/typed_path.h"
 #include "common/mesh/mesh_format.h"
 
 namespace burnish {

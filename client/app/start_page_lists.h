@@ -1,6 +1,6 @@
 #pragma once
 
-#include "client/model/workspace.h"
+#include "client/model/workspace/workspace.h"
 
 namespace burnish {
 

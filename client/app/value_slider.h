@@ -3,8 +3,8 @@
 #include <imgui.h>
 #include <string>
 
-#include "client/model/message_log.h"
-#include "client/model/typed_number.h"
+#include "client/model/input/typed_number.h"
+#include "client/model/tasks/message_log.h"
 
 namespace burnish {
 

@@ -12,8 +12,8 @@
 
 #include "client/app/panels_copy.h"
 #include "client/app/pen.h"
-#include "client/model/input_queue.h"
-#include "client/model/viewport.h"
+#include "client/model/input/input_queue.h"
+#include "client/model/view/viewport.h"
 #include "client/scene/image.h"
 #include "common/base/status.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "client/model/input_queue.h"
+#include "client/model/input/input_queue.h"
 
 struct GLFWwindow;
 

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "common/mesh/statistics.h"
+#include "common/mesh/statistics/statistics.h"
 
 namespace burnish {
 

@@ -5,7 +5,7 @@
 #include "client/cli/in_range.h"
 #include "client/cli/print_json.h"
 #include "common/generate/generate.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 
 namespace burnish {
 

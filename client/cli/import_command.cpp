@@ -9,7 +9,7 @@
 #include "client/report/depth_text.h"
 #include "common/bundle/scan_bundle.h"
 #include "common/mesh/mesh_format.h"
-#include "common/mesh/rewrite/left_out.h"
+#include "common/mesh/rewrite/left_out/left_out.h"
 
 namespace burnish {
 

@@ -9,8 +9,8 @@
 #include "client/cli/print_json.h"
 #include "client/pictures/picture.h"
 #include "client/scene/png_writer.h"
+#include "common/mesh/io/mesh_io.h"
 #include "common/mesh/mesh_format.h"
-#include "common/mesh/mesh_io.h"
 
 namespace burnish {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <iostream>
 
-#include "common/mesh/rewrite/left_out.h"
+#include "common/mesh/rewrite/left_out/left_out.h"
 
 namespace burnish {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "common/mesh/statistics.h"
+#include "common/mesh/statistics/statistics.h"
 
 namespace burnish {
 

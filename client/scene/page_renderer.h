@@ -13,7 +13,7 @@
 #include "client/scene/page_space.h"
 #include "client/scene/page_texture.h"
 #include "common/base/status.h"
-#include "common/mesh/texel_change.h"
+#include "common/mesh/textures/texel_change.h"
 
 namespace burnish {
 

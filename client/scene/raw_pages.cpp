@@ -8,7 +8,7 @@
 #include "client/scene/thinned_triangles.h"
 #include "common/base/limits.h"
 #include "common/grid/grid.h"
-#include "common/mesh/vertex_welder.h"
+#include "common/mesh/reading/vertex_welder.h"
 
 namespace burnish {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "client/model/document.h"
+#include "client/model/documents/document.h"
 #include "client/script/script.h"
 #include "client/tools/presets.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "client/model/workspace.h"
+#include "client/model/workspace/workspace.h"
 #include "client/script/script.h"
 
 namespace burnish {

@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
-#include "client/model/document.h"
-#include "client/model/workspace.h"
+#include "client/model/documents/document.h"
+#include "client/model/workspace/workspace.h"
 #include "client/scene/lighting.h"
 #include "client/script/script.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "common/base/status.h"
-#include "common/mesh/files_beside.h"
+#include "common/mesh/files/files_beside.h"
 
 namespace burnish {
 

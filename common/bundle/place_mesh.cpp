@@ -5,8 +5,8 @@
 
 #include "common/base/mapped_file.h"
 #include "common/bundle/place_files.h"
-#include "common/mesh/folder_files.h"
-#include "common/mesh/named_files.h"
+#include "common/mesh/files/folder_files.h"
+#include "common/mesh/io/named_files.h"
 
 namespace burnish {
 

@@ -7,7 +7,7 @@
 
 #include "common/archive/archive.h"
 #include "common/base/status.h"
-#include "common/mesh/archive_files.h"
+#include "common/mesh/files/archive_files.h"
 
 namespace burnish {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "common/archive/archive_writer.h"
-#include "common/mesh/folder_files.h"
-#include "common/mesh/named_files.h"
+#include "common/mesh/files/folder_files.h"
+#include "common/mesh/io/named_files.h"
 
 namespace burnish {
 

@@ -11,7 +11,7 @@ inline constexpr double kTextureGainMax = 4;
 /// Says what becomes of a scan's colours beside their filter: how much they differ from what the
 /// grid knows of them, texels too, and how much of the light in them goes. It works in linear
 /// light, and solves nothing. Levelled seams change exported pictures and sheets, and no vertex's
-/// colour (common/mesh/rewrite/level_seams.h).
+/// colour (common/mesh/rewrite/pictures/level_seams.h).
 struct TextureFilter {
   double gain = 1;          ///< 0 to kTextureGainMax; 1 keeps the details
   double remove_light = 0;  ///< 0 to 1; 0 keeps the light

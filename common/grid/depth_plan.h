@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "common/base/limits.h"
-#include "common/mesh/statistics.h"
+#include "common/mesh/statistics/statistics.h"
 
 namespace burnish {
 

@@ -8,8 +8,8 @@
 
 #include "common/base/status.h"
 #include "common/mesh/mesh_format.h"
-#include "common/mesh/statistics.h"
-#include "common/mesh/thin_walls.h"
+#include "common/mesh/statistics/statistics.h"
+#include "common/mesh/statistics/thin_walls.h"
 
 namespace burnish {
 

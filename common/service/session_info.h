@@ -8,7 +8,7 @@
 #include "common/edit/edit.h"
 #include "common/measure/deviation.h"
 #include "common/mesh/mesh_format.h"
-#include "common/mesh/thin_walls.h"
+#include "common/mesh/statistics/thin_walls.h"
 #include "common/service/scan_info.h"
 
 namespace burnish {

@@ -5,7 +5,7 @@
 #include "burnish/v1/common.pb.h"
 #include "common/base/types.h"
 #include "common/mesh/mesh_format.h"
-#include "common/mesh/thin_walls.h"
+#include "common/mesh/statistics/thin_walls.h"
 #include "common/service/scan_info.h"
 
 namespace burnish {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "common/mesh/rewrite/seam_wish.h"
+#include "common/mesh/rewrite/moved/seam_wish.h"
 
 namespace burnish {
 

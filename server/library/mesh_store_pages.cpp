@@ -2,7 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
-#include "common/mesh/heard_statistics.h"
+#include "common/mesh/statistics/heard_statistics.h"
 #include "server/library/mesh_store.h"
 #include "server/library/read_original.h"
 #include "server/library/scan_record.h"

@@ -5,9 +5,9 @@
 #include <spdlog/spdlog.h>
 
 #include "common/base/mapped_file.h"
-#include "common/mesh/mesh_io.h"
-#include "common/mesh/rewrite/moved_mesh.h"
-#include "common/mesh/textured_surface.h"
+#include "common/mesh/io/mesh_io.h"
+#include "common/mesh/io/textured_surface.h"
+#include "common/mesh/rewrite/moved/moved_mesh.h"
 #include "common/pages/directory_codec.h"
 #include "server/library/levelled_sheets.h"
 #include "server/library/mesh_store.h"

@@ -6,7 +6,7 @@
 
 #include "common/base/mapped_file.h"
 #include "common/base/progress.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "server/memory/library_budget.h"
 
 namespace burnish {

@@ -3,8 +3,8 @@
 #include <spdlog/spdlog.h>
 
 #include "common/base/loop_progress.h"
-#include "common/mesh/mesh_io.h"
-#include "common/mesh/rewrite/left_out.h"
+#include "common/mesh/io/mesh_io.h"
+#include "common/mesh/rewrite/left_out/left_out.h"
 #include "common/mesh/rewrite/write_plan.h"
 #include "server/manager/session_manager_held.h"
 #include "server/metrics/metrics.h"

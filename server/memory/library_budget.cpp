@@ -5,7 +5,7 @@
 #include "common/base/limits.h"
 #include "common/base/process_memory.h"
 #include "common/grid/depth_plan.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "server/memory/opening_need.h"
 
 namespace burnish {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "common/mesh/heard_statistics.h"
 #include "common/mesh/joined_mesh.h"
+#include "common/mesh/statistics/heard_statistics.h"
 #include "server/prepare/cell_pieces.h"
 #include "server/prepare/piece_count.h"
 #include "server/prepare/preparation_need.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/base/parallel.h"
-#include "common/mesh/components.h"
+#include "common/mesh/statistics/components.h"
 
 namespace burnish {
 

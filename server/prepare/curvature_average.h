@@ -1,7 +1,7 @@
 #pragma once
 
 #include "common/base/heard_loop.h"
-#include "common/mesh/statistics.h"
+#include "common/mesh/statistics/statistics.h"
 #include "common/mesh/triangle_mesh.h"
 #include "server/prepare/vertex_curvature.h"
 

@@ -15,8 +15,8 @@
 #include "common/evaluation/evaluation.h"
 #include "common/grid/cell_corners.h"
 #include "common/grid/grid.h"
-#include "common/mesh/statistics.h"
-#include "common/mesh/thin_walls.h"
+#include "common/mesh/statistics/statistics.h"
+#include "common/mesh/statistics/thin_walls.h"
 
 namespace burnish {
 

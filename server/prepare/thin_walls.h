@@ -3,7 +3,7 @@
 #include <span>
 
 #include "common/base/heard_loop.h"
-#include "common/mesh/thin_walls.h"
+#include "common/mesh/statistics/thin_walls.h"
 #include "server/prepare/surface.h"
 
 namespace burnish {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "common/mesh/texel_change.h"
+#include "common/mesh/textures/texel_change.h"
 #include "server/fields/fields.h"
 #include "server/session/colour_change.h"
 #include "server/session/mesh_signal.h"

@@ -8,7 +8,7 @@
 #include "common/base/progress.h"
 #include "common/base/status.h"
 #include "common/edit/edit.h"
-#include "common/mesh/texel_change.h"
+#include "common/mesh/textures/texel_change.h"
 #include "common/mesh/triangle_mesh.h"
 #include "server/prepare/prepared_mesh.h"
 #include "server/session/colour_change.h"

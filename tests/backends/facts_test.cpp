@@ -7,7 +7,7 @@
 
 #include "common/generate/generate.h"
 #include "common/mesh/srgb.h"
-#include "common/mesh/statistics.h"
+#include "common/mesh/statistics/statistics.h"
 #include "server/prepare/prepare.h"
 #include "server/solver/tuning/plan_cycle.h"
 #include "tests/backends/filtered.h"

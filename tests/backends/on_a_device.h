@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "common/generate/generate.h"
-#include "common/mesh/statistics.h"
+#include "common/mesh/statistics/statistics.h"
 #include "server/prepare/prepare.h"
 #include "server/solver/cuda/cuda_backend.h"
 #include "server/solver/solver.h"

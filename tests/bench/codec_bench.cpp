@@ -18,7 +18,7 @@
 
 #include "common/base/parallel.h"
 #include "common/generate/generate.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "server/prepare/prepare.h"
 #include "server/session/session.h"
 #include "server/solver/tuning/plan_cycle.h"

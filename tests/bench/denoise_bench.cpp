@@ -21,7 +21,7 @@
 #include "common/denoise/normal_filter.h"
 #include "common/denoise/normal_layer.h"
 #include "common/generate/generate.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/bench/denoise_filter.h"
 #include "tests/bench/denoise_live.h"
 #include "tests/bench/denoise_shapes.h"

@@ -4,7 +4,7 @@
 
 #include "common/denoise/edge_proposal.h"
 #include "common/edit/wavelength.h"
-#include "common/mesh/statistics.h"
+#include "common/mesh/statistics/statistics.h"
 #include "server/prepare/prepare.h"
 #include "server/session/session.h"
 #include "server/solver/tuning/plan_cycle.h"

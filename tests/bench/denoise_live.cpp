@@ -10,7 +10,7 @@
 #include "common/base/text_lines.h"
 #include "common/denoise/surface_filter.h"
 #include "common/generate/generate.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "common/mesh/triangle_mesh.h"
 #include "server/solver/cuda/cuda_backend.h"
 #include "server/solver/cuda/cuda_filter.h"

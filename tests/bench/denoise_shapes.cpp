@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/common/denoise/shape_error.h"
 
 namespace burnish {

@@ -21,7 +21,7 @@
 #include "client/cli/bench/load_report.h"
 #include "client/cli/bench/load_surface.h"
 #include "common/generate/generate.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/system/link.h"
 #include "tests/system/server_process.h"
 

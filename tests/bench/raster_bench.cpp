@@ -22,7 +22,7 @@
 #include "client/scene/png_writer.h"
 #include "client/scene/raw_pages.h"
 #include "common/generate/generate.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/bench/timing.h"
 #include "tests/client/raster/picture_rmse.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "common/base/parallel.h"
-#include "common/mesh/rewrite/edited_pictures.h"
+#include "common/mesh/rewrite/pictures/edited_pictures.h"
 #include "tests/common/picture/encoding.h"
 
 namespace burnish {

@@ -11,7 +11,7 @@
 #include <cstdlib>
 
 #include "client/connection/connection.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/bench/bench_main.h"
 #include "tests/bench/view_case.h"
 #include "tests/system/server_process.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <thread>
 
-#include "client/model/workspace.h"
+#include "client/model/documents/open_document.h"
 #include "common/base/clock.h"
 
 namespace burnish {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <memory>
 
-#include "client/model/document.h"
+#include "client/model/documents/document.h"
 #include "client/scene/null_page_renderer.h"
 #include "tests/bench/view_case.h"
 #include "tests/system/link.h"

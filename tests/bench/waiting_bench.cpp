@@ -9,9 +9,9 @@
 #include <fstream>
 #include <thread>
 
-#include "client/model/workspace.h"
+#include "client/model/workspace/workspace.h"
 #include "client/scene/null_page_renderer.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/bench/bench_main.h"
 #include "tests/system/server_process.h"
 

@@ -14,7 +14,7 @@
 
 #include "burnish/v1/editing.pb.h"
 #include "common/generate/generate.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/bench/timing.h"
 #include "tests/server/trust/test_certificates.h"
 #include "tests/system/web_client.h"

@@ -29,6 +29,10 @@ class Try(unittest.TestCase):
         self.assertEqual(self.found_for("common/mesh/agreeing_vertices.h"), own)
         self.assertEqual(self.found_for(own[0]), own)
 
+    def test_the_test_of_a_source_may_lie_in_a_folder_above(self):
+        self.assertEqual(self.found_for("common/mesh/ply/ply_reader.cpp"),
+                         ["tests/common/mesh/ply_reader_test.cpp"])
+
     def test_a_source_without_a_test_has_those_of_the_nearest_folder(self):
         tests = self.found_for("client/cli/filter/filter_command.cpp")
         self.assertIn("tests/client/cli/command_test.cpp", tests)

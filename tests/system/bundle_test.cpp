@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "common/generate/generate.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/common/picture/encoding.h"
 #include "tests/system/server_process.h"
 

@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "server/solver/cuda/cuda_backend.h"
 #include "tests/reference/compare.h"
 #include "tests/system/server_process.h"

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/generate/generate.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/common/bundle/textured_folder.h"
 #include "tests/common/temporary_folder.h"
 #include "tests/system/process.h"

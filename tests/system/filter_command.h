@@ -11,7 +11,7 @@
 
 #include "common/base/check.h"
 #include "common/generate/generate.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/common/temporary_folder.h"
 #include "tests/system/process.h"
 

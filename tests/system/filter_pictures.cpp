@@ -9,7 +9,7 @@
 #include "client/pictures/picture.h"
 #include "client/scene/png_writer.h"
 #include "common/base/check.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/common/temporary_folder.h"
 #include "tests/system/letters.h"
 #include "tests/system/process.h"

@@ -13,7 +13,7 @@
 
 #include "common/base/process_memory.h"
 #include "common/generate/generate.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/common/gltf/glb_file.h"
 #include "tests/system/filter_command.h"
 

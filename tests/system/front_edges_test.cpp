@@ -1,6 +1,6 @@
-#include "client/model/figures.h"
+#include "client/model/documents/figures.h"
 #include "common/generate/generate.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/system/front_service.h"
 
 namespace burnish {

@@ -1,5 +1,5 @@
 #include "common/generate/generate.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/system/front_service.h"
 
 namespace burnish {

@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "common/generate/generate.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "server/journal/sqlite.h"
 #include "server/prepare/prepared_mesh.h"
 #include "tests/system/environment.h"

@@ -9,7 +9,7 @@
 
 #include "burnish/v1/editing.pb.h"
 #include "burnish/v1/library.grpc.pb.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/server/metrics/http_get.h"
 #include "tests/system/server_process.h"
 #include "tests/system/wire_call.h"

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "common/generate/generate.h"
-#include "common/mesh/mesh_io.h"
-#include "common/mesh/statistics.h"
+#include "common/mesh/io/mesh_io.h"
+#include "common/mesh/statistics/statistics.h"
 #include "tests/system/window_fixture.h"
 
 namespace burnish {

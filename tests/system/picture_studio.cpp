@@ -5,7 +5,7 @@
 #include "client/scene/camera.h"
 #include "client/scene/png_writer.h"
 #include "common/base/check.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/system/fetched_pages.h"
 
 namespace burnish {

@@ -7,7 +7,7 @@
 
 #include "client/tools/presets.h"
 #include "common/base/check.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/common/temporary_folder.h"
 #include "tests/system/letters.h"
 #include "tests/system/process.h"

@@ -2,7 +2,7 @@
 
 #include <sys/types.h>
 
-#include "client/model/private_server.h"
+#include "client/model/local_server/private_server.h"
 #include "tests/common/temporary_folder.h"
 
 namespace burnish {

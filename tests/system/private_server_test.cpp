@@ -1,6 +1,6 @@
 // The private server that windows on one computer share (USERS B3, B4; ATTACKS C4).
 
-#include "client/model/private_server.h"
+#include "client/model/local_server/private_server.h"
 
 #include <csignal>
 #include <cstring>

@@ -9,7 +9,7 @@
 #include "client/connection/connection.h"
 #include "client/scene/image.h"
 #include "common/generate/generate.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/system/private_data.h"
 #include "tests/system/server_process.h"
 #include "tests/system/x_display.h"

@@ -13,7 +13,7 @@
 
 #include "client/publish/publication.h"
 #include "common/generate/generate.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/server/prepare/sheets/photo_archive.h"
 #include "tests/system/server_process.h"
 

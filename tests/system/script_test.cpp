@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "common/generate/generate.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/system/server_process.h"
 
 namespace burnish {

@@ -4,7 +4,7 @@
 
 #include "common/base/check.h"
 #include "common/generate/generate.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 
 namespace burnish {
 

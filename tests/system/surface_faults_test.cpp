@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "client/model/workspace.h"
+#include "client/model/workspace/workspace.h"
 #include "client/scene/null_page_renderer.h"
 #include "tests/common/fast_clock.h"
 #include "tests/system/link.h"

@@ -4,7 +4,7 @@
 
 #include "client/scene/png_writer.h"
 #include "common/generate/generate.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 
 namespace burnish {
 

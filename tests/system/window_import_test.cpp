@@ -5,7 +5,7 @@
 
 #include "client/scene/null_page_renderer.h"
 #include "common/generate/generate.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/system/link.h"
 #include "tests/system/server_process.h"
 #include "tests/system/workspace_pictures.h"

@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/system/window_fixture.h"
 
 namespace burnish {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "common/generate/generate.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/system/window_fixture.h"
 
 namespace burnish {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "client/model/workspace.h"
+#include "client/model/workspace/workspace.h"
 #include "tests/system/server_process.h"
 
 namespace burnish {

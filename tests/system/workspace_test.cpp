@@ -1,4 +1,4 @@
-#include "client/model/workspace.h"
+#include "client/model/workspace/workspace.h"
 
 #include <thread>
 

@@ -10,7 +10,7 @@
 #include "client/cli/print_json.h"
 #include "common/base/parallel.h"
 #include "common/grid/depth_plan.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "server/prepare/preparation_need.h"
 
 namespace burnish {

@@ -11,7 +11,7 @@
 #include "common/base/out_of_memory.h"
 #include "common/base/process_memory.h"
 #include "common/denoise/edge_proposal.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "server/memory/opening_need.h"
 #include "server/solver/device_probe.h"
 #include "server/solver/tuning/plan_cycle.h"

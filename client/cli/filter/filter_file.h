@@ -8,7 +8,7 @@
 #include "client/cli/filter/filter_options.h"
 #include "common/base/status.h"
 #include "common/edit/edit.h"
-#include "common/mesh/rewrite/edited_pictures.h"
+#include "common/mesh/rewrite/pictures/edited_pictures.h"
 
 namespace burnish {
 

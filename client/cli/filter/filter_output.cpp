@@ -6,11 +6,11 @@
 #include "common/base/atomic_file.h"
 #include "common/base/mapped_file.h"
 #include "common/bundle/place_mesh.h"
-#include "common/mesh/folder_files.h"
-#include "common/mesh/rewrite/left_out.h"
+#include "common/mesh/files/folder_files.h"
+#include "common/mesh/io/textured_surface.h"
+#include "common/mesh/rewrite/left_out/left_out.h"
 #include "common/mesh/rewrite/rewrite.h"
-#include "common/mesh/shown_picture.h"
-#include "common/mesh/textured_surface.h"
+#include "common/mesh/textures/shown_picture.h"
 
 namespace burnish {
 

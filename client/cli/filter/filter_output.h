@@ -5,8 +5,8 @@
 
 #include "client/cli/filter/filter_file.h"
 #include "common/mesh/mesh_format.h"
-#include "common/mesh/rewrite/edited_pictures.h"
-#include "common/mesh/rewrite/moved_mesh.h"
+#include "common/mesh/rewrite/moved/moved_mesh.h"
+#include "common/mesh/rewrite/pictures/edited_pictures.h"
 #include "common/mesh/rewrite/write_plan.h"
 
 namespace burnish {

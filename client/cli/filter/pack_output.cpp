@@ -9,8 +9,8 @@
 #include "common/base/atomic_file.h"
 #include "common/bundle/place_mesh.h"
 #include "common/bundle/scan_bundle.h"
-#include "common/mesh/archive_files.h"
-#include "common/mesh/rewrite/left_out.h"
+#include "common/mesh/files/archive_files.h"
+#include "common/mesh/rewrite/left_out/left_out.h"
 #include "common/mesh/rewrite/rewrite.h"
 
 namespace burnish {

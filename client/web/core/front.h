@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "client/model/workspace.h"
+#include "client/model/workspace/workspace.h"
 #include "client/web/core/front_state.h"
 
 namespace burnish {

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "client/model/activity.h"
+#include "client/model/tasks/activity.h"
 #include "common/base/types.h"
 
 namespace burnish {

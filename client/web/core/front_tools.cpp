@@ -1,6 +1,6 @@
 // Lines about what the pointer does, and about the session.
 
-#include "client/model/section_view.h"
+#include "client/model/view/section_view.h"
 #include "client/report/section_file.h"
 #include "client/tools/band_choice.h"
 #include "client/tools/own_presets.h"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "client/model/workspace.h"
+#include "client/model/workspace/workspace.h"
 #include "client/web/core/front_state.h"
 #include "client/web/core/json_writer.h"
 

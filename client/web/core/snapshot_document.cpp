@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <set>
 
-#include "client/model/depth_choice.h"
-#include "client/model/figures.h"
+#include "client/model/documents/depth_choice.h"
+#include "client/model/documents/figures.h"
 #include "client/web/core/snapshot.h"
 
 namespace burnish {

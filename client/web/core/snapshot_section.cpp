@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "client/model/section_view.h"
+#include "client/model/view/section_view.h"
 #include "client/web/core/snapshot.h"
 
 namespace burnish {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "client/model/figures.h"
+#include "client/model/documents/figures.h"
 #include "client/tools/band_choice.h"
 #include "client/web/core/snapshot.h"
 #include "common/base/ratio.h"

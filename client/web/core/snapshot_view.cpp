@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "client/model/colour_scale.h"
-#include "client/model/figures.h"
+#include "client/model/documents/figures.h"
+#include "client/model/view/colour_scale.h"
 #include "client/report/length_text.h"
 #include "client/web/core/snapshot.h"
 

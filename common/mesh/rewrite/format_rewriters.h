@@ -7,8 +7,8 @@
 
 #include "common/base/status.h"
 #include "common/mesh/output_buffer.h"
-#include "common/mesh/rewrite/edited_pictures.h"
-#include "common/mesh/rewrite/moved_mesh.h"
+#include "common/mesh/rewrite/moved/moved_mesh.h"
+#include "common/mesh/rewrite/pictures/edited_pictures.h"
 
 /// Private to this folder: one rewriter per format; rewrite.cpp chooses among them. A rewriter
 /// copies the original's bytes and replaces numbers. It keeps the bytes of a number that stays the

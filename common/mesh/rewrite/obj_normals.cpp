@@ -3,9 +3,9 @@
 #include <optional>
 #include <string_view>
 
-#include "common/mesh/rewrite/placed_normals.h"
-#include "common/mesh/rewrite/text_patch.h"
-#include "common/mesh/text_values.h"
+#include "common/mesh/reading/text_values.h"
+#include "common/mesh/rewrite/moved/placed_normals.h"
+#include "common/mesh/rewrite/patch/text_patch.h"
 
 namespace burnish {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "common/mesh/rewrite/moved_normals.h"
-#include "common/mesh/text_scanner.h"
+#include "common/mesh/reading/text_scanner.h"
+#include "common/mesh/rewrite/moved/moved_normals.h"
 
 namespace burnish {
 

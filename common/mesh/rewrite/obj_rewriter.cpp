@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <string_view>
 
+#include "common/mesh/reading/text_colours.h"
 #include "common/mesh/rewrite/format_rewriters.h"
 #include "common/mesh/rewrite/obj_normals.h"
-#include "common/mesh/rewrite/text_patch.h"
-#include "common/mesh/text_colours.h"
+#include "common/mesh/rewrite/patch/text_patch.h"
 
 namespace burnish {
 

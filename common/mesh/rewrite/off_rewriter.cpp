@@ -2,11 +2,11 @@
 #include <string_view>
 #include <vector>
 
-#include "common/mesh/off_text.h"
+#include "common/mesh/off/off_text.h"
+#include "common/mesh/reading/text_colours.h"
 #include "common/mesh/rewrite/format_rewriters.h"
-#include "common/mesh/rewrite/placed_normals.h"
-#include "common/mesh/rewrite/text_patch.h"
-#include "common/mesh/text_colours.h"
+#include "common/mesh/rewrite/moved/placed_normals.h"
+#include "common/mesh/rewrite/patch/text_patch.h"
 
 namespace burnish {
 

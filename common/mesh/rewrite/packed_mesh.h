@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/base/status.h"
-#include "common/mesh/archive_files.h"
+#include "common/mesh/files/archive_files.h"
 
 namespace burnish {
 

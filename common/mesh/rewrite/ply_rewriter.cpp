@@ -5,18 +5,18 @@
 #include <string_view>
 #include <vector>
 
-#include "common/mesh/ply_ascii_source.h"
-#include "common/mesh/ply_binary_source.h"
-#include "common/mesh/ply_colour.h"
-#include "common/mesh/ply_layout.h"
-#include "common/mesh/rewrite/byte_patch.h"
+#include "common/mesh/ply/ply_ascii_source.h"
+#include "common/mesh/ply/ply_binary_source.h"
+#include "common/mesh/ply/ply_colour.h"
+#include "common/mesh/ply/ply_layout.h"
+#include "common/mesh/reading/text_values.h"
 #include "common/mesh/rewrite/format_rewriters.h"
-#include "common/mesh/rewrite/moved_normals.h"
-#include "common/mesh/rewrite/placed_normals.h"
-#include "common/mesh/rewrite/ply_number.h"
+#include "common/mesh/rewrite/moved/moved_normals.h"
+#include "common/mesh/rewrite/moved/placed_normals.h"
+#include "common/mesh/rewrite/patch/byte_patch.h"
+#include "common/mesh/rewrite/patch/ply_number.h"
+#include "common/mesh/rewrite/patch/written_mesh.h"
 #include "common/mesh/rewrite/ply_walk.h"
-#include "common/mesh/rewrite/written_mesh.h"
-#include "common/mesh/text_values.h"
 
 namespace burnish {
 

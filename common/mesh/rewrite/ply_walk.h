@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "common/mesh/ply_header.h"
-#include "common/mesh/ply_layout.h"
-#include "common/mesh/rewrite/moved_mesh.h"
+#include "common/mesh/ply/ply_header.h"
+#include "common/mesh/ply/ply_layout.h"
+#include "common/mesh/rewrite/moved/moved_mesh.h"
 
 namespace burnish {
 

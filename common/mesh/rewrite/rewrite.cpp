@@ -8,14 +8,14 @@
 #include "common/base/check.h"
 #include "common/base/mapped_file.h"
 #include "common/mesh/heard_validate.h"
+#include "common/mesh/io/mesh_io.h"
 #include "common/mesh/mesh_format.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/reading/text_values.h"
 #include "common/mesh/rewrite/format_rewriters.h"
-#include "common/mesh/rewrite/gltf_rewriter.h"
+#include "common/mesh/rewrite/gltf/gltf_rewriter.h"
 #include "common/mesh/rewrite/packed_mesh.h"
+#include "common/mesh/rewrite/patch/written_mesh.h"
 #include "common/mesh/rewrite/write_plan.h"
-#include "common/mesh/rewrite/written_mesh.h"
-#include "common/mesh/text_values.h"
 
 namespace burnish {
 

@@ -8,8 +8,8 @@
 #include "common/base/status.h"
 #include "common/mesh/mesh_format.h"
 #include "common/mesh/output_buffer.h"
-#include "common/mesh/rewrite/edited_pictures.h"
-#include "common/mesh/rewrite/moved_mesh.h"
+#include "common/mesh/rewrite/moved/moved_mesh.h"
+#include "common/mesh/rewrite/pictures/edited_pictures.h"
 
 namespace burnish {
 

@@ -4,10 +4,10 @@
 #include <string_view>
 #include <utility>
 
+#include "common/mesh/reading/text_values.h"
 #include "common/mesh/rewrite/format_rewriters.h"
-#include "common/mesh/rewrite/text_patch.h"
-#include "common/mesh/stl_layout.h"
-#include "common/mesh/text_values.h"
+#include "common/mesh/rewrite/patch/text_patch.h"
+#include "common/mesh/stl/stl_layout.h"
 
 namespace burnish {
 

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "common/base/mapped_file.h"
-#include "common/mesh/archive_files.h"
-#include "common/mesh/gltf_files.h"
+#include "common/mesh/files/archive_files.h"
+#include "common/mesh/gltf/gltf_files.h"
 #include "common/mesh/mesh_format.h"
 
 namespace burnish {

@@ -2,9 +2,9 @@
 #include <vector>
 
 #include "common/archive/archive_writer.h"
-#include "common/mesh/gltf_files.h"
+#include "common/mesh/gltf/gltf_files.h"
 #include "common/mesh/rewrite/format_rewriters.h"
-#include "common/mesh/rewrite/gltf_rewriter.h"
+#include "common/mesh/rewrite/gltf/gltf_rewriter.h"
 #include "common/mesh/rewrite/packed_mesh.h"
 #include "common/mesh/rewrite/rewrite.h"
 

@@ -5,7 +5,7 @@
 #include "common/base/heard_loop.h"
 #include "common/base/scratch_array.h"
 #include "common/base/types.h"
-#include "common/mesh/statistics.h"
+#include "common/mesh/statistics/statistics.h"
 #include "common/pages/page_grid.h"
 
 namespace burnish {

@@ -8,8 +8,8 @@
 #include "common/base/progress.h"
 #include "common/base/scratch_space.h"
 #include "common/base/status.h"
-#include "common/mesh/rewrite/level_seams.h"
-#include "common/mesh/textured_surface.h"
+#include "common/mesh/io/textured_surface.h"
+#include "common/mesh/rewrite/pictures/level_seams.h"
 #include "common/pages/page_file.h"
 #include "server/prepare/preparation_need.h"
 

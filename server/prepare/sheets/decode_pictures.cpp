@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/base/loop_progress.h"
-#include "common/mesh/shown_picture.h"
+#include "common/mesh/textures/shown_picture.h"
 #include "common/packing/checksum.h"
 
 namespace burnish {

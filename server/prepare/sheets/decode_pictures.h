@@ -7,7 +7,7 @@
 
 #include "common/base/progress.h"
 #include "common/base/status.h"
-#include "common/mesh/surface_textures.h"
+#include "common/mesh/textures/surface_textures.h"
 #include "server/prepare/sheets/picture_tiles.h"
 
 namespace burnish {

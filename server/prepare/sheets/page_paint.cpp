@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "common/mesh/shown_picture.h"
 #include "common/mesh/srgb.h"
+#include "common/mesh/textures/shown_picture.h"
 
 namespace burnish {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "common/base/types.h"
-#include "common/mesh/rewrite/level_seams.h"
-#include "common/mesh/textured_surface.h"
+#include "common/mesh/io/textured_surface.h"
+#include "common/mesh/rewrite/pictures/level_seams.h"
 #include "common/pages/page.h"
 #include "common/sheets/bake_sheet.h"
 #include "common/sheets/chart.h"

@@ -6,7 +6,7 @@
 
 #include "common/base/status.h"
 #include "common/base/types.h"
-#include "common/mesh/texture_wrap.h"
+#include "common/mesh/textures/texture_wrap.h"
 #include "common/sheets/push_pull.h"
 #include "server/prepare/sheets/picture_tiles.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/mesh/statistics.h"
+#include "common/mesh/statistics/statistics.h"
 #include "server/prepare/pages/page_vertices.h"
 #include "server/prepare/radix_sort.h"
 

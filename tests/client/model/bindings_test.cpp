@@ -1,4 +1,4 @@
-#include "client/model/bindings.h"
+#include "client/model/input/bindings.h"
 
 #include <set>
 

@@ -1,4 +1,4 @@
-#include "client/model/depth_choice.h"
+#include "client/model/documents/depth_choice.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "client/model/detached_program.h"
+#include "client/model/local_server/detached_program.h"
 
 #include <cerrno>
 #include <thread>

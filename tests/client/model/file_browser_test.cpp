@@ -1,4 +1,4 @@
-#include "client/model/file_browser.h"
+#include "client/model/files/file_browser.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "client/model/file_list.h"
+#include "client/model/files/file_list.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

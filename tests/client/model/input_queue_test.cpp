@@ -1,4 +1,4 @@
-#include "client/model/input_queue.h"
+#include "client/model/input/input_queue.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "client/model/known_servers.h"
+#include "client/model/settings/known_servers.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "client/model/leaving.h"
+#include "client/model/workspace/leaving.h"
 
 #include <gtest/gtest.h>
 

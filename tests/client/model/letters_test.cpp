@@ -1,4 +1,4 @@
-#include "client/model/letters.h"
+#include "client/model/workspace/letters.h"
 
 #include <string>
 

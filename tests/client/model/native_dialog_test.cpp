@@ -1,4 +1,4 @@
-#include "client/model/native_dialog.h"
+#include "client/model/files/native_dialog.h"
 
 #include <cstdlib>
 

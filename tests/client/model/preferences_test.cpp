@@ -1,4 +1,4 @@
-#include "client/model/preferences.h"
+#include "client/model/settings/preferences.h"
 
 #include <fstream>
 

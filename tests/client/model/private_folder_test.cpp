@@ -1,4 +1,4 @@
-#include "client/model/private_folder.h"
+#include "client/model/files/private_folder.h"
 
 #include <unistd.h>
 

@@ -1,11 +1,11 @@
-#include "client/model/private_server.h"
+#include "client/model/local_server/private_server.h"
 
 #include <cstdlib>
 #include <unistd.h>
 
 #include <gtest/gtest.h>
 
-#include "client/model/user_socket.h"
+#include "client/model/local_server/user_socket.h"
 #include "tests/common/temporary_folder.h"
 
 namespace burnish {

@@ -1,4 +1,4 @@
-#include "client/model/recent_sessions.h"
+#include "client/model/settings/recent_sessions.h"
 
 #include <gtest/gtest.h>
 

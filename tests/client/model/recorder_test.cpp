@@ -1,4 +1,4 @@
-#include "client/model/recorder.h"
+#include "client/model/documents/recorder.h"
 
 #include <fstream>
 

@@ -1,4 +1,4 @@
-#include "client/model/section_view.h"
+#include "client/model/view/section_view.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "client/model/session_choice.h"
+#include "client/model/documents/session_choice.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "client/model/session_pictures.h"
+#include "client/model/workspace/session_pictures.h"
 
 #include <gtest/gtest.h>
 

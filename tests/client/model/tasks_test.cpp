@@ -1,4 +1,4 @@
-#include "client/model/tasks.h"
+#include "client/model/tasks/tasks.h"
 
 #include <latch>
 #include <thread>

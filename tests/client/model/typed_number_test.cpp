@@ -1,4 +1,4 @@
-#include "client/model/typed_number.h"
+#include "client/model/input/typed_number.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "client/model/user_socket.h"
+#include "client/model/local_server/user_socket.h"
 
 #include <csignal>
 #include <cstring>

@@ -1,4 +1,4 @@
-#include "client/model/view_state.h"
+#include "client/model/view/view_state.h"
 
 #include <fstream>
 

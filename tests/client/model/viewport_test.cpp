@@ -1,4 +1,4 @@
-#include "client/model/viewport.h"
+#include "client/model/view/viewport.h"
 
 #include <gtest/gtest.h>
 

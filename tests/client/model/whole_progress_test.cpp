@@ -1,4 +1,4 @@
-#include "client/model/whole_progress.h"
+#include "client/model/tasks/whole_progress.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "client/model/zoom.h"
+#include "client/model/view/zoom.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "client/raster/shade_math.h"
-#include "common/mesh/rewrite/shown_light.h"
-#include "common/mesh/texel_change.h"
+#include "common/mesh/rewrite/pictures/shown_light.h"
+#include "common/mesh/textures/texel_change.h"
 
 namespace burnish {
 namespace {

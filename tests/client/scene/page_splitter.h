@@ -7,7 +7,7 @@
 
 #include "client/scene/mesh_normals.h"
 #include "common/grid/grid.h"
-#include "common/mesh/statistics.h"
+#include "common/mesh/statistics/statistics.h"
 #include "common/pages/page.h"
 #include "common/pages/page_grid.h"
 

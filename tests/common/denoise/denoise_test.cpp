@@ -12,7 +12,7 @@
 #include "common/denoise/normal_filter.h"
 #include "common/denoise/normal_layer.h"
 #include "common/generate/generate.h"
-#include "common/mesh/statistics.h"
+#include "common/mesh/statistics/statistics.h"
 #include "tests/common/denoise/shape_error.h"
 #include "tests/common/odd_triangles.h"
 #include "tests/common/split_vertices.h"

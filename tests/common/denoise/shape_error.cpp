@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "common/denoise/welded_surface.h"
-#include "common/mesh/statistics.h"
+#include "common/mesh/statistics/statistics.h"
 
 namespace burnish {
 namespace {

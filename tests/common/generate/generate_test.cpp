@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "common/generate/tablet_stone.h"
-#include "common/mesh/statistics.h"
+#include "common/mesh/statistics/statistics.h"
 
 namespace burnish {
 namespace {

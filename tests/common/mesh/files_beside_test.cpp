@@ -1,8 +1,8 @@
-#include "common/mesh/files_beside.h"
+#include "common/mesh/files/files_beside.h"
 
 #include <gtest/gtest.h>
 
-#include "common/mesh/folder_files.h"
+#include "common/mesh/files/folder_files.h"
 #include "tests/common/mesh/textured_square.h"
 #include "tests/common/temporary_folder.h"
 

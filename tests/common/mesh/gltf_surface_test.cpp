@@ -1,4 +1,4 @@
-#include "common/mesh/gltf_surface.h"
+#include "common/mesh/gltf/gltf_surface.h"
 
 #include <cmath>
 #include <numbers>

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/common/gltf/glb_file.h"
 #include "tests/common/mesh/texture_reference.h"
 #include "tests/common/mesh/textured_square.h"

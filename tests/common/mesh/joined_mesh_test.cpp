@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "common/mesh/statistics.h"
+#include "common/mesh/statistics/statistics.h"
 
 namespace burnish {
 namespace {

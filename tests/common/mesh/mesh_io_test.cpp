@@ -1,4 +1,4 @@
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/common/base/file_size_limit.h"
 #include "tests/common/mesh/reading.h"
 #include "tests/common/temporary_folder.h"

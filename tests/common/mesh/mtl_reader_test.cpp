@@ -1,4 +1,4 @@
-#include "common/mesh/mtl_reader.h"
+#include "common/mesh/obj/mtl_reader.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

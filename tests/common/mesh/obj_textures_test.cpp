@@ -1,8 +1,8 @@
 
 #include <gmock/gmock.h>
 
-#include "common/mesh/mesh_io.h"
-#include "common/mesh/obj_files.h"
+#include "common/mesh/io/mesh_io.h"
+#include "common/mesh/obj/obj_files.h"
 #include "tests/common/mesh/rewrite/rewriting.h"
 #include "tests/common/mesh/texture_reference.h"
 #include "tests/common/mesh/textured_square.h"

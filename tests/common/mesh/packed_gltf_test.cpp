@@ -1,5 +1,5 @@
 #include "common/generate/generate.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/common/gltf/glb_file.h"
 #include "tests/common/gltf/packed_glb.h"
 #include "tests/common/temporary_folder.h"

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/common/mesh/reading.h"
 #include "tests/common/mesh/rewrite/rewriting.h"
 #include "tests/common/mesh/texture_reference.h"

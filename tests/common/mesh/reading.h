@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 
 namespace burnish {
 

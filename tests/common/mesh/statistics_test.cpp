@@ -1,4 +1,4 @@
-#include "common/mesh/statistics.h"
+#include "common/mesh/statistics/statistics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "common/generate/generate.h"
-#include "common/mesh/heard_statistics.h"
+#include "common/mesh/statistics/heard_statistics.h"
 #include "tests/common/odd_triangles.h"
 
 namespace burnish {

@@ -1,4 +1,4 @@
-#include "common/mesh/text_values.h"
+#include "common/mesh/reading/text_values.h"
 
 #include <cmath>
 #include <cstdio>

@@ -1,4 +1,4 @@
-#include "common/mesh/texture_colours.h"
+#include "common/mesh/textures/texture_colours.h"
 
 #include <cmath>
 #include <limits>

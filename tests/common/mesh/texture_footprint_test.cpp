@@ -1,4 +1,4 @@
-#include "common/mesh/texture_footprint.h"
+#include "common/mesh/textures/texture_footprint.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/mesh/srgb.h"
-#include "common/mesh/texture_wrap.h"
+#include "common/mesh/textures/texture_wrap.h"
 #include "common/mesh/triangle_mesh.h"
 #include "common/picture/picture.h"
 

@@ -1,4 +1,4 @@
-#include "common/mesh/texture_sweep.h"
+#include "common/mesh/textures/texture_sweep.h"
 
 #include <cmath>
 

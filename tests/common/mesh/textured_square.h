@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "common/mesh/files_beside.h"
+#include "common/mesh/files/files_beside.h"
 #include "common/picture/picture.h"
 
 namespace burnish {

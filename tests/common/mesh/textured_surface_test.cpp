@@ -1,4 +1,4 @@
-#include "common/mesh/textured_surface.h"
+#include "common/mesh/io/textured_surface.h"
 
 #include <optional>
 

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/common/archive/packing.h"
 #include "tests/common/mesh/reading.h"
 #include "tests/common/mesh/textured_square.h"

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "common/generate/generate.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/server/manager/test_library.h"
 
 namespace burnish {

@@ -1,7 +1,7 @@
 #include "tests/server/manager/test_library.h"
 
 #include "common/generate/generate.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "common/transfer/chunk.h"
 
 namespace burnish {

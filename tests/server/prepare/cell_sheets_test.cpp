@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/mesh/components.h"
+#include "common/mesh/statistics/components.h"
 #include "server/prepare/prepare.h"
 #include "tests/reference/awkward_meshes.h"
 #include "tests/reference/shapes.h"

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "common/mesh/statistics.h"
+#include "common/mesh/statistics/statistics.h"
 #include "common/mesh/triangle_mesh.h"
 
 namespace burnish {

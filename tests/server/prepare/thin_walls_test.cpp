@@ -1,4 +1,4 @@
-#include "common/mesh/thin_walls.h"
+#include "common/mesh/statistics/thin_walls.h"
 
 #include <random>
 

@@ -7,7 +7,7 @@
 
 #include "common/edit/wavelength.h"
 #include "common/generate/generate.h"
-#include "common/mesh/statistics.h"
+#include "common/mesh/statistics/statistics.h"
 #include "tests/server/session/solved_session.h"
 
 namespace burnish {

@@ -3,7 +3,7 @@
 
 #include "common/edit/wavelength.h"
 #include "common/generate/generate.h"
-#include "common/mesh/statistics.h"
+#include "common/mesh/statistics/statistics.h"
 #include "server/session/edge_parts.h"
 #include "tests/common/denoise/shape_error.h"
 #include "tests/server/session/solved_session.h"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "common/generate/generate.h"
-#include "common/mesh/statistics.h"
+#include "common/mesh/statistics/statistics.h"
 #include "tests/server/session/solved_session.h"
 
 namespace burnish {

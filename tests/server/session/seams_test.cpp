@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "common/mesh/statistics.h"
+#include "common/mesh/statistics/statistics.h"
 #include "tests/common/split_vertices.h"
 #include "tests/server/session/solved_session.h"
 

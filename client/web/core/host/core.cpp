@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "client/model/preferences.h"
+#include "client/model/settings/preferences.h"
 #include "client/web/core/front.h"
 #include "client/web/core/host/calls.h"
 #include "client/web/core/host/clockwork.h"

@@ -1,8 +1,8 @@
-// client/model/session_pictures.h where the page's store keeps the pictures.
+// client/model/workspace/session_pictures.h where the page's store keeps the pictures.
 
 #include <algorithm>
 
-#include "client/model/session_pictures.h"
+#include "client/model/workspace/session_pictures.h"
 #include "client/web/core/host/imports.h"
 #include "client/web/core/host/store.h"
 #include "common/base/text_lines.h"

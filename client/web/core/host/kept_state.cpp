@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "client/model/preferences.h"
-#include "client/model/view_state.h"
+#include "client/model/settings/preferences.h"
+#include "client/model/view/view_state.h"
 #include "client/web/core/host/store.h"
 #include "client/web/core/json_writer.h"
 

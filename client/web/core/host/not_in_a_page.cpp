@@ -1,8 +1,8 @@
 // Says that a page lacks two things: a server of its own, and files that are shown before a server
 // has them.
 
-#include "client/model/private_server.h"
-#include "client/model/workspace.h"
+#include "client/model/local_server/private_server.h"
+#include "client/model/workspace/workspace.h"
 
 namespace burnish {
 

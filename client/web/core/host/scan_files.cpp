@@ -1,6 +1,6 @@
-// client/model/scan_files.h where files come from the page and go to the user.
+// client/model/files/scan_files.h where files come from the page and go to the user.
 
-#include "client/model/scan_files.h"
+#include "client/model/files/scan_files.h"
 
 #include <algorithm>
 

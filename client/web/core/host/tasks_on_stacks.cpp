@@ -1,8 +1,8 @@
 #include <utility>
 #include <vector>
 
-#include "client/model/beside.h"
-#include "client/model/tasks.h"
+#include "client/model/tasks/beside.h"
+#include "client/model/tasks/tasks.h"
 #include "client/web/core/host/stacks.h"
 
 namespace burnish {

@@ -42,8 +42,9 @@ function(core_folder folder)
 endfunction()
 
 core_folder(common/base ONLY check status text text_lines)
-core_folder(common/mesh ONLY mesh_format srgb statistics texel_change thin_walls triangle_mesh)
-core_folder(common/mesh/rewrite ONLY left_out_text)
+core_folder(common/mesh ONLY mesh_format srgb triangle_mesh
+  statistics/statistics statistics/thin_walls textures/texel_change)
+core_folder(common/mesh/rewrite ONLY left_out/left_out_text)
 core_folder(common/grid SPEED -Os)
 core_folder(common/evaluation SPEED -Os)
 core_folder(common/edit)
@@ -68,9 +69,12 @@ string(REGEX MATCH "[0-9.]+" BURNISH_VERSION "${project}")
 target_compile_definitions(client_report PRIVATE BURNISH_VERSION="${BURNISH_VERSION}")
 core_folder(client/connection ONLY call_status connection edit_calls export_call
   history_calls import_call measure_calls page_calls page_value_calls rename_calls sheet_calls)
-core_folder(client/model EXCEPT beside connection_form detached_program file_browser file_list
-  leaving letters lighting_toml native_dialog preferences private_folder private_server raw_scan_file
-  recorder_file scan_files session_picture_files tasks typed_path user_socket view_state workspace_raw_file)
+core_folder(client/model/tasks EXCEPT beside tasks)
+core_folder(client/model/input)
+core_folder(client/model/settings EXCEPT connection_form lighting_toml preferences)
+core_folder(client/model/documents EXCEPT recorder_file)
+core_folder(client/model/view EXCEPT raw_scan_file view_state)
+core_folder(client/model/workspace EXCEPT leaving letters session_picture_files workspace_raw_file)
 core_folder(client/script EXCEPT lone_script)
 core_folder(client/web/core)
 core_folder(client/web/core/carrier)
@@ -107,7 +111,7 @@ core_program(core_raster client/raster client/web/core/raster)
 
 # For tests under Node: the code of the core that reads what others have written, without a page.
 file(GLOB checks ${root}/tests/client/web/core/wasm/checks.cpp ${root}/tests/client/web/core/wasm/exports.cpp)
-list(FILTER shared EXCLUDE REGEX "^client_(connection|model|script|web_core(_host|_carrier)?)$")
+list(FILTER shared EXCLUDE REGEX "^client_(connection|model_[a-z]+|script|web_core(_host|_carrier)?)$")
 list(TRANSFORM shared REPLACE "(.+)" "$<TARGET_OBJECTS:\\1>" OUTPUT_VARIABLE objects)
 add_executable(checks EXCLUDE_FROM_ALL ${checks} ${objects} $<TARGET_OBJECTS:protobuf>)
 set_target_properties(checks PROPERTIES SUFFIX .wasm)

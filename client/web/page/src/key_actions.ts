@@ -1,4 +1,4 @@
-// The actions of keys, as client/model/bindings.cpp has them, and what they do here.
+// The actions of keys, as client/model/input/bindings.cpp has them, and what they do here.
 
 import { command } from "./commands";
 import type { EngineLink } from "./engine_link";

@@ -1,11 +1,11 @@
-#include "common/mesh/rewrite/edited_pictures.h"
+#include "common/mesh/rewrite/pictures/edited_pictures.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "common/archive/archive.h"
 #include "common/mesh/rewrite/rewrite.h"
-#include "common/mesh/shown_picture.h"
+#include "common/mesh/textures/shown_picture.h"
 #include "common/picture/picture.h"
 #include "tests/common/archive/packing.h"
 #include "tests/common/mesh/rewrite/textured_grid.h"

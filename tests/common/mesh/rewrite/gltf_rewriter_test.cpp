@@ -1,7 +1,7 @@
-#include "common/mesh/rewrite/gltf_rewriter.h"
+#include "common/mesh/rewrite/gltf/gltf_rewriter.h"
 
 #include "common/generate/generate.h"
-#include "common/mesh/gltf_surface.h"
+#include "common/mesh/gltf/gltf_surface.h"
 #include "tests/common/gltf/glb_file.h"
 #include "tests/common/gltf/packed_glb.h"
 #include "tests/common/mesh/rewrite/rewriting.h"

@@ -1,4 +1,4 @@
-#include "common/mesh/rewrite/gltf_shared_bytes.h"
+#include "common/mesh/rewrite/gltf/gltf_shared_bytes.h"
 
 #include "tests/common/gltf/glb_file.h"
 

@@ -10,7 +10,7 @@
 #include "common/archive/archive_writer.h"
 #include "common/generate/generate.h"
 #include "common/gltf/base64.h"
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "common/mesh/rewrite/rewrite.h"
 #include "tests/common/temporary_folder.h"
 

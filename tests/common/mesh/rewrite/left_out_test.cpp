@@ -1,4 +1,4 @@
-#include "common/mesh/rewrite/left_out.h"
+#include "common/mesh/rewrite/left_out/left_out.h"
 
 #include "tests/common/archive/packing.h"
 #include "tests/common/gltf/glb_file.h"

@@ -1,4 +1,4 @@
-#include "common/mesh/rewrite/level_seams.h"
+#include "common/mesh/rewrite/pictures/level_seams.h"
 
 #include <functional>
 
@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "common/archive/archive.h"
+#include "common/mesh/rewrite/pictures/texture_charts.h"
 #include "common/mesh/rewrite/rewrite.h"
-#include "common/mesh/rewrite/texture_charts.h"
 #include "tests/common/archive/packing.h"
 #include "tests/common/mesh/rewrite/photo_grid.h"
 #include "tests/common/mesh/rewrite/textured_grid.h"

@@ -1,8 +1,8 @@
-#include "common/mesh/rewrite/moved_normals.h"
+#include "common/mesh/rewrite/moved/moved_normals.h"
 
 #include <gtest/gtest.h>
 
-#include "common/mesh/rewrite/written_mesh.h"
+#include "common/mesh/rewrite/patch/written_mesh.h"
 
 namespace burnish {
 namespace {

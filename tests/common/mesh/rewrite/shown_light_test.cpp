@@ -1,11 +1,11 @@
-#include "common/mesh/rewrite/shown_light.h"
+#include "common/mesh/rewrite/pictures/shown_light.h"
 
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 
-#include "common/mesh/texel_change.h"
+#include "common/mesh/textures/texel_change.h"
 
 namespace burnish {
 namespace {

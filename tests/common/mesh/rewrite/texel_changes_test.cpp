@@ -1,10 +1,10 @@
-#include "common/mesh/rewrite/texel_changes.h"
+#include "common/mesh/rewrite/pictures/texel_changes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "common/base/parallel.h"
-#include "common/mesh/shown_picture.h"
+#include "common/mesh/textures/shown_picture.h"
 #include "tests/common/mesh/rewrite/textured_grid.h"
 
 namespace burnish {

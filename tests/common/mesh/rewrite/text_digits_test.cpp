@@ -1,4 +1,4 @@
-#include "common/mesh/rewrite/text_digits.h"
+#include "common/mesh/rewrite/patch/text_digits.h"
 
 #include <initializer_list>
 #include <string>

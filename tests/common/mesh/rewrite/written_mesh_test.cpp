@@ -1,10 +1,10 @@
-#include "common/mesh/rewrite/written_mesh.h"
+#include "common/mesh/rewrite/patch/written_mesh.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-#include "common/mesh/mesh_io.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/common/mesh/rewrite/rewriting.h"
 #include "tests/common/temporary_folder.h"
 

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "common/archive/archive.h"
-#include "common/mesh/rewrite/left_out.h"
+#include "common/mesh/rewrite/left_out/left_out.h"
 #include "tests/common/archive/packing.h"
 #include "tests/common/mesh/rewrite/rewriting.h"
 #include "tests/common/temporary_folder.h"

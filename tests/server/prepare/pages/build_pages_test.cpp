@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "common/mesh/statistics.h"
+#include "common/mesh/statistics/statistics.h"
 #include "server/prepare/pages/page_vertices.h"
 #include "tests/common/split_vertices.h"
 #include "tests/common/temporary_folder.h"

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/mesh/rewrite/edited_pictures.h"
+#include "common/mesh/rewrite/pictures/edited_pictures.h"
 #include "server/prepare/sheets/build_sheets.h"
 #include "tests/common/temporary_folder.h"
 #include "tests/server/prepare/sheets/photo_archive.h"

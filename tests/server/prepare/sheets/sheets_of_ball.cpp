@@ -5,9 +5,9 @@
 #include <random>
 
 #include "common/base/check.h"
-#include "common/mesh/mesh_io.h"
-#include "common/mesh/statistics.h"
-#include "common/mesh/textured_surface.h"
+#include "common/mesh/io/mesh_io.h"
+#include "common/mesh/io/textured_surface.h"
+#include "common/mesh/statistics/statistics.h"
 #include "common/pages/directory_codec.h"
 #include "server/prepare/pages/build_pages.h"
 

@@ -13,7 +13,7 @@
 
 #include "client/live/framed_page.h"
 #include "common/generate/generate.h"
-#include "common/mesh/statistics.h"
+#include "common/mesh/statistics/statistics.h"
 #include "common/packing/checksum.h"
 #include "common/page_frames/page_frame_decoder.h"
 #include "common/page_frames/page_frame_encoder.h"

@@ -1,0 +1,92 @@
+#include "common/mesh/gltf/gltf_materials.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace burnish {
+
+/// Returns an element of an array of the document; null if it is not an object that exists.
+static const GltfJson* element_or_null(const GltfDocument& document, const char* array,
+                                       std::optional<uint64_t> index) {
+  if (!index) return nullptr;
+  const auto found = find_element(document.json, array, *index, "");
+  return found.is_ok() ? *found : nullptr;
+}
+
+static std::optional<uint64_t> whole_or_none(const GltfJson& object, const char* name) {
+  const auto value = read_whole(object, name, "");
+  return value.is_ok() ? std::optional(*value) : std::nullopt;
+}
+
+/// Reads numbers of an array over those that are there. Leaves them if one of them is damaged.
+template <typename Numbers>
+static void read_numbers(const GltfJson& object, const char* name, Numbers& numbers) {
+  const GltfJson* array = find_member(object, name);
+  const auto count = static_cast<size_t>(numbers.size());
+  if (array == nullptr || !array->is_array() || array->size() < count) return;
+  const auto is_number = [](const GltfJson& value) { return value.is_number(); };
+  if (!std::all_of(array->begin(), array->begin() + static_cast<ptrdiff_t>(count), is_number))
+    return;
+  for (size_t i = 0; i < count; ++i)
+    numbers[static_cast<Eigen::Index>(i)] = (*array)[i].get<typename Numbers::Scalar>();
+}
+
+static TextureWrap wrap_of(const GltfJson& sampler, const char* name) {
+  constexpr uint64_t kClampToEdge = 33071, kMirroredRepeat = 33648;  // as OpenGL numbers them
+  const auto number = whole_or_none(sampler, name);
+  if (number == kClampToEdge) return TextureWrap::kClamp;
+  return number == kMirroredRepeat ? TextureWrap::kMirror : TextureWrap::kRepeat;
+}
+
+/// Reads KHR_texture_transform: scaled, then turned counter-clockwise as v points down, then moved.
+static Eigen::Affine2d read_transform(const GltfJson& json) {
+  Eigen::Vector2d scale = {1, 1}, offset = {0, 0};
+  read_numbers(json, "scale", scale);
+  read_numbers(json, "offset", offset);
+  const GltfJson* rotation = find_member(json, "rotation");
+  const double angle = rotation != nullptr && rotation->is_number() ? rotation->get<double>() : 0.0;
+  return Eigen::Translation2d(offset) * Eigen::Rotation2Dd(-angle) * Eigen::Scaling(scale);
+}
+
+/// Reads the texture that a material's "baseColorTexture" refers to.
+static void read_texture(const GltfDocument& document, const GltfJson& info,
+                         GltfMaterial& material) {
+  const GltfJson* texture = element_or_null(document, "textures", whole_or_none(info, "index"));
+  if (texture == nullptr) return;
+  const auto image = whole_or_none(*texture, "source");
+  if (element_or_null(document, "images", image) == nullptr || *image >= kNoTexture) return;
+  SurfaceMaterial& surface = material.surface;
+  surface.picture = static_cast<uint32_t>(*image);
+  uint64_t set = whole_or_none(info, "texCoord").value_or(0);
+  if (const GltfJson* json = find_object(info, {"extensions", "KHR_texture_transform"})) {
+    surface.to_picture = read_transform(*json);
+    set = whole_or_none(*json, "texCoord").value_or(set);
+  }
+  material.coordinates = "TEXCOORD_" + std::to_string(set);
+  const GltfJson* sampler =
+      element_or_null(document, "samplers", whole_or_none(*texture, "sampler"));
+  if (sampler != nullptr) surface.wraps = {wrap_of(*sampler, "wrapS"), wrap_of(*sampler, "wrapT")};
+}
+
+static GltfMaterial read_material(const GltfDocument& document, const GltfJson& json) {
+  GltfMaterial material;
+  const GltfJson* look = find_object(json, {"pbrMetallicRoughness"});
+  if (look == nullptr) return material;
+  SurfaceMaterial& surface = material.surface;
+  read_numbers(*look, "baseColorFactor", surface.factor);
+  surface.factor = surface.factor.cwiseMax(0.F).cwiseMin(1.F);
+  surface.plain = surface.factor;
+  if (const GltfJson* info = find_object(*look, {"baseColorTexture"}))
+    read_texture(document, *info, material);
+  return material;
+}
+
+std::vector<GltfMaterial> read_gltf_materials(const GltfDocument& document) {
+  std::vector<GltfMaterial> materials;
+  for (size_t m = 0; m < count_elements(document.json, "materials"); ++m)
+    materials.push_back(read_material(document, document.json.at("materials")[m]));
+  return materials;
+}
+
+}  // namespace burnish
