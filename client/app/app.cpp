@@ -3,7 +3,7 @@
 #include <chrono>
 #include <csignal>
 
-#include "client/app/places.h"
+#include "client/app/widgets/places.h"
 #include "client/gl/capabilities.h"
 
 namespace burnish {

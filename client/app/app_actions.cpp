@@ -4,7 +4,7 @@
 #include <ctime>
 
 #include "client/app/app.h"
-#include "client/app/words.h"
+#include "client/app/widgets/words.h"
 #include "client/model/workspace/document_actions.h"
 #include "client/scene/png_writer.h"
 #include "common/mesh/mesh_format.h"

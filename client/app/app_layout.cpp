@@ -1,12 +1,12 @@
 #include <algorithm>
 
 #include "client/app/app.h"
-#include "client/app/key_help.h"
-#include "client/app/leave_question.h"
-#include "client/app/places.h"
-#include "client/app/raw_facts.h"
-#include "client/app/ruler_overlay.h"
-#include "client/app/theme.h"
+#include "client/app/dialogs/key_help.h"
+#include "client/app/dialogs/leave_question.h"
+#include "client/app/overlay/ruler_overlay.h"
+#include "client/app/panels/raw_facts.h"
+#include "client/app/widgets/places.h"
+#include "client/app/widgets/theme.h"
 
 namespace burnish {
 

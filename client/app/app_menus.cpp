@@ -3,10 +3,10 @@
 #include <chrono>
 
 #include "client/app/app.h"
-#include "client/app/depth_list.h"
-#include "client/app/places.h"
-#include "client/app/theme.h"
-#include "client/app/words.h"
+#include "client/app/widgets/depth_list.h"
+#include "client/app/widgets/places.h"
+#include "client/app/widgets/theme.h"
+#include "client/app/widgets/words.h"
 #include "client/report/depth_text.h"
 
 namespace burnish {

@@ -1,9 +1,9 @@
 // The part of App that draws the picture of the surface, and lines over it.
 
 #include "client/app/app.h"
-#include "client/app/escape.h"
-#include "client/app/places.h"
-#include "client/app/theme.h"
+#include "client/app/widgets/escape.h"
+#include "client/app/widgets/places.h"
+#include "client/app/widgets/theme.h"
 #include "common/base/limits.h"
 
 namespace burnish {

@@ -8,12 +8,12 @@
 #include <grpcpp/health_check_service_interface.h>
 #include <grpcpp/resource_quota.h>
 
-#include "server/rpc/admission.h"
-#include "server/rpc/credentials.h"
-#include "server/rpc/cut_off_calls.h"
-#include "server/rpc/editing_service.h"
-#include "server/rpc/library_service.h"
-#include "server/rpc/to_grpc.h"
+#include "server/rpc/admission/admission.h"
+#include "server/rpc/admission/credentials.h"
+#include "server/rpc/admission/cut_off_calls.h"
+#include "server/rpc/calls/editing_service.h"
+#include "server/rpc/calls/library_service.h"
+#include "server/rpc/transport/to_grpc.h"
 #include "server/trust/role.h"
 #include "server/trust/secret.h"
 #include "server/web/web_door.h"

@@ -8,7 +8,7 @@
 
 #include "common/base/status.h"
 #include "server/live/successors.h"
-#include "server/rpc/connection_acceptor.h"
+#include "server/rpc/transport/connection_acceptor.h"
 #include "server/trust/certificates.h"
 #include "server/trust/reloaded.h"
 #include "server/trust/users.h"

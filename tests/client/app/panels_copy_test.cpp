@@ -1,4 +1,4 @@
-#include "client/app/panels_copy.h"
+#include "client/app/window/panels_copy.h"
 
 #include <imgui.h>
 

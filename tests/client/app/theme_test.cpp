@@ -1,4 +1,4 @@
-#include "client/app/theme.h"
+#include "client/app/widgets/theme.h"
 
 #include <cmath>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "client/app/words.h"
+#include "client/app/widgets/words.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "server/rpc/call_lanes.h"
+#include "server/rpc/reactor/call_lanes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "server/rpc/cut_off_calls.h"
+#include "server/rpc/admission/cut_off_calls.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "server/rpc/listening_socket.h"
+#include "server/rpc/transport/listening_socket.h"
 
 #include <cstring>
 #include <unistd.h>

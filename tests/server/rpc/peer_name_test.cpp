@@ -1,4 +1,4 @@
-#include "server/rpc/peer_name.h"
+#include "server/rpc/transport/peer_name.h"
 
 #include <unistd.h>
 
@@ -7,7 +7,7 @@
 #include <netinet/in.h>
 #include <sys/socket.h>
 
-#include "server/rpc/listening_socket.h"
+#include "server/rpc/transport/listening_socket.h"
 
 namespace burnish {
 namespace {

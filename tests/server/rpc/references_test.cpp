@@ -1,4 +1,4 @@
-#include "server/rpc/references.h"
+#include "server/rpc/reactor/references.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

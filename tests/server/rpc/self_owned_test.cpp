@@ -1,4 +1,4 @@
-#include "server/rpc/self_owned.h"
+#include "server/rpc/reactor/self_owned.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "server/rpc/silence_limit.h"
+#include "server/rpc/reactor/silence_limit.h"
 
 #include <future>
 

@@ -1,4 +1,4 @@
-#include "server/rpc/to_grpc.h"
+#include "server/rpc/transport/to_grpc.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The lines over the picture, as client/app/app_picture.cpp and ruler_overlay.cpp draw them: that between original and
+// The lines over the picture, as client/app/app_picture.cpp and overlay/ruler_overlay.cpp draw them: between original and
 // edited surface, the lasso and the ruler.
 
 import { useEffect, useRef } from "preact/hooks";

@@ -1,4 +1,4 @@
-// A slider with its value as a number behind it, like client/app/value_slider.cpp.
+// A slider with its value as a number behind it, like client/app/widgets/value_slider.cpp.
 
 import { useState } from "preact/hooks";
 import { useLink } from "./context";

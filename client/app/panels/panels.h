@@ -1,0 +1,131 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "client/app/widgets/panel.h"
+#include "client/tools/presets.h"
+
+namespace burnish {
+
+/// Gradient scale, fidelity and presets: the edit outside of painted areas.
+class FilterPanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+
+ private:
+  void draw_presets(Document& document, MessageLog& log);
+  void draw_strength(Document& document, const PresetInForce& shown, MessageLog& log);
+  void draw_delete(const Document& document, MessageLog& log);
+  void draw_own(const Document& document, MessageLog& log);
+  void read_own(MessageLog& log);
+
+  std::vector<Preset> own_;  // read when the list opens
+  std::string own_name_;     // for the filter as it is
+};
+
+/// The transfer curve over the histogram of curvature.
+class CurvePanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+};
+
+/// The bounds on what edits do, and the region in which nothing moves.
+class ProtectPanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+
+ private:
+  void draw_lasso_buttons(Viewport& viewport);
+  void draw_piece_buttons(Workspace& workspace);
+
+  bool through_ = false;             // of the next lasso
+  std::optional<Vec3d> last_hover_;  // on the original surface
+};
+
+/// Takes noise away and keeps edges, before the filter smooths or sharpens.
+class EdgesPanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+};
+
+/// Gains by the size of detail, over a plot of what they do.
+class EqualiserPanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+
+ private:
+  bool shows_sizes_ = false;
+};
+
+/// The curves that a brush can paint.
+class PalettePanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+
+ private:
+  std::string name_;  // of the next curve
+};
+
+/// The filter of the scan's colours.
+class ColourPanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+};
+
+/// The airbrush.
+class BrushPanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+};
+
+/// Settings of how the surface is shown.
+class ViewPanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+};
+
+/// How the surface is lit.
+class LightPanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+};
+
+/// Where the surface is seen from.
+class CameraPanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+};
+
+/// The session's edits, newest first. Each can be switched off.
+class HistoryPanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+
+ private:
+  void draw_buttons(Document& document);
+  void draw_checkpoint_row(Workspace& workspace);
+
+  std::string checkpoint_name_;
+};
+
+/// Lengths in the scan's unit: how far the surface moved, distances, sections.
+class NumbersPanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+
+ private:
+  void draw_unit(Document& document);
+
+  std::string session_;  // that unit_ is of
+  std::string unit_;     // as it is typed
+};
+
+/// The people in the session and their roles.
+class PeoplePanel : public Panel {
+ public:
+  void draw(Workspace& workspace) override;
+};
+
+}  // namespace burnish

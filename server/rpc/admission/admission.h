@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "server/rpc/admission/call_observer.h"
+#include "server/trust/guard.h"
+
+namespace burnish {
+
+/// Admits calls by their headers, before a byte of their messages is read: messages of strangers
+/// cost no memory. Logs and counts refusals. Thread-safe.
+class Admission {
+ public:
+  Admission(std::shared_ptr<const Guard> guard, std::shared_ptr<CallCounts> counts)
+      : guard_(std::move(guard)), counts_(std::move(counts)) {}
+
+  /// Fails: as Guard::check(). `peer` may be empty: gRPC does not tell it here.
+  Status admit(std::string_view method, const Proof& proof, std::string_view peer = {}) const;
+
+ private:
+  const std::shared_ptr<const Guard> guard_;
+  const std::shared_ptr<CallCounts> counts_;
+};
+
+}  // namespace burnish
