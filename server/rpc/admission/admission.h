@@ -3,10 +3,15 @@
 #include <memory>
 #include <string_view>
 
+#include "common/base/status.h"
 #include "server/rpc/admission/call_observer.h"
 #include "server/trust/guard.h"
 
 namespace burnish {
+
+/// Logs and counts a refused call. `peer` may be empty: gRPC does not tell it for a call of which
+/// it has only the headers.
+void report_refusal(std::string_view method, std::string_view peer, const Status& why);
 
 /// Admits calls by their headers, before a byte of their messages is read: messages of strangers
 /// cost no memory. Logs and counts refusals. Thread-safe.

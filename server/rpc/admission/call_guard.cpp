@@ -4,8 +4,8 @@
 
 #include "common/base/text.h"
 #include "server/process/log_context.h"
+#include "server/rpc/admission/admission.h"
 #include "server/rpc/admission/call_observer.h"
-#include "server/rpc/admission/refusals.h"
 
 namespace burnish {
 namespace {

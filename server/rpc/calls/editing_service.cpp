@@ -6,9 +6,8 @@
 #include "common/wire/session_wire.h"
 #include "server/rpc/calls/edit_call.h"
 #include "server/rpc/calls/export_call.h"
-#include "server/rpc/calls/get_cells_call.h"
-#include "server/rpc/calls/get_page_values_call.h"
 #include "server/rpc/calls/upload_cell_fields_call.h"
+#include "server/rpc/calls/value_calls.h"
 #include "server/rpc/calls/watch_call.h"
 #include "server/rpc/reactor/start_call.h"
 
