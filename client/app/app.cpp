@@ -2,9 +2,14 @@
 
 #include <chrono>
 #include <csignal>
+#include <ctime>
 
 #include "client/app/widgets/places.h"
+#include "client/app/widgets/words.h"
 #include "client/gl/capabilities.h"
+#include "client/model/workspace/document_actions.h"
+#include "client/scene/png_writer.h"
+#include "common/mesh/mesh_format.h"
 
 namespace burnish {
 
@@ -166,6 +171,172 @@ bool App::may_close() {
   workspace_->close_document();
   if (!open_next_.empty()) workspace_->import_scan(std::exchange(open_next_, {}));
   return false;
+}
+
+// ---- The window's events ----
+
+WindowEvents App::make_events() {
+  WindowEvents events;
+  events.press = [this](PointerButton button, Modifiers modifiers, const Eigen::Vector2d& pixel) {
+    if (workspace_ && workspace_->has_picture() && is_in_picture(pixel))
+      workspace_->viewport.press(button, modifiers, in_picture(pixel));
+  };
+  events.pen = [this](std::optional<double> pressure) {
+    if (workspace_) take_pen(pressure);
+  };
+  events.release = [this](PointerButton button) {
+    if (workspace_) workspace_->viewport.release(button);
+  };
+  events.move = [this](const Eigen::Vector2d& pixel) {
+    if (!workspace_ || !workspace_->has_picture()) return;
+    if (is_in_picture(pixel) || workspace_->viewport.is_busy()) {
+      workspace_->viewport.move(in_picture(pixel));
+    } else {
+      workspace_->viewport.leave();
+    }
+  };
+  events.wheel = [this](const Eigen::Vector2d& pixel, double steps) {
+    if (workspace_ && workspace_->has_picture() && is_in_picture(pixel))
+      workspace_->viewport.wheel(in_picture(pixel), steps);
+  };
+  events.key = [this](const std::string& key) {
+    if (workspace_) handle_key(key);
+  };
+  events.space = [this](bool held) {
+    if (workspace_) workspace_->viewport.hold_original = held;
+  };
+  events.drop = [this](const std::vector<std::filesystem::path>& files) {
+    if (workspace_) open_files(files);
+  };
+  return events;
+}
+
+void App::take_pen(std::optional<double> pressure) {
+  workspace_->has_pen |= pressure.has_value();
+  const bool counts = workspace_->preferences.pen_pressure;
+  workspace_->viewport.pressure = counts ? pressure.value_or(1) : 1;
+}
+
+static bool lies_within(const Eigen::Vector2d& pixel, const ImVec2& low, const ImVec2& high) {
+  return pixel.x() >= low.x && pixel.x() < high.x && pixel.y() >= low.y && pixel.y() < high.y;
+}
+
+bool App::is_in_picture(const Eigen::Vector2d& pixel) const {
+  const Eigen::Vector2d at = in_picture(pixel);
+  if (at.x() < 0 || at.y() < 0 || at.x() >= picture_.size.width || at.y() >= picture_.size.height)
+    return false;
+  if (shows_help_ || shows_log_ || export_dialog_.is_open() || file_dialog_.is_open()) return false;
+  constexpr auto kAnyPopup = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel;
+  if (ImGui::IsPopupOpen("", kAnyPopup)) return false;  // a click beside the popup closes it
+  return !lies_within(pixel, toasts_.covered_low, toasts_.covered_high) &&
+         !lies_within(pixel, section_window_.covered_low, section_window_.covered_high);
+}
+
+Eigen::Vector2d App::in_picture(const Eigen::Vector2d& pixel) const {
+  return pixel - Eigen::Vector2d(picture_.x, picture_.y);
+}
+
+// ---- What keys and menus ask for ----
+
+static constexpr std::chrono::seconds kPicturePatience{10};
+
+static std::string picture_name() {
+  char name[64];
+  const time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  std::strftime(name, sizeof name, "burnish-%F-%H%M%S.png", &local);
+  return name;
+}
+
+void App::handle_key(const std::string& key) {
+  const auto action = bindings_.action_of(key);
+  if (leave_step_ == Leaving::Step::kAsk || leave_step_ == Leaving::Step::kWait) {
+    if (action == Action::kCancel) leaving_.stay();
+    return;
+  }
+  const bool is_asked = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+  if (action && !is_asked) do_action(*action);
+}
+
+void App::do_action(Action action) {
+  if (action == Action::kOpen) return ask_for_scan();
+  if (action == Action::kHelp) shows_help_ = !shows_help_;
+  if (action == Action::kLog) shows_log_ = !shows_log_;
+  if (action == Action::kCancel) {
+    const bool was_busy =
+        workspace_->document() && workspace_->viewport.cancel(*workspace_->document());
+    if (!was_busy) shows_help_ = shows_log_ = false;
+  }
+  if (workspace_->raw() && action == Action::kFrameAll) workspace_->viewport.go_home();
+  if (!workspace_->document()) return;
+  if (action == Action::kExport) export_dialog_.open();
+  if (action == Action::kScreenshot) return take_screenshot(picture_name());
+  do_document_action(action, *workspace_);
+}
+
+void App::ask_for_scan() {
+  file_dialog_.ask({.title = "Open a scan", .extensions = mesh_extensions()},
+                   workspace_->preferences,
+                   [this](const std::filesystem::path& file) { open_files({file}); });
+}
+
+// Opens the first file instead of the open session. The others are imported only.
+void App::open_files(const std::vector<std::filesystem::path>& files) {
+  for (const auto& file : files) {
+    const bool replaces = workspace_->document() && open_next_.empty() && &file == &files.front();
+    if (!replaces) {
+      workspace_->import_scan(file);
+      continue;
+    }
+    open_next_ = file;
+    leaving_.begin(Leaving::What::kSession, std::chrono::steady_clock::now());
+  }
+}
+
+void App::ask_for_picture() {
+  file_dialog_.ask({.purpose = FileQuestion::Purpose::kSave,
+                    .title = "Save a picture",
+                    .extensions = {".png"},
+                    .start = picture_name()},
+                   workspace_->preferences,
+                   [this](const std::filesystem::path& file) { take_screenshot(file); });
+}
+
+void App::take_screenshot(const std::filesystem::path& file) {
+  workspace_->record_picture(file);
+  wanted_picture_ = WantedPicture{file, std::chrono::steady_clock::now() + kPicturePatience};
+}
+
+// Rings of brushes are no part of the surface. The window's own picture has them again at once.
+Result<Image> App::picture_without_rings() {
+  PageRenderer& pages = renderer_->pages();
+  const Document* const document = workspace_->document();
+  if (!document) return pages.read_pixels();
+  DrawStyle style = shown_.style;
+  style.rings.clear();
+  renderer_->set_smooth(true);
+  const Viewport& viewport = workspace_->viewport;
+  RETURN_IF_ERROR(
+      pages.draw(viewport.camera, viewport.size(), style, document->surface().patches()));
+  Result<Image> picture = pages.read_pixels();
+  renderer_->set_smooth(shown_.is_smooth);
+  RETURN_IF_ERROR(workspace_->draw());
+  return picture;
+}
+
+void App::save_picture_at_rest(std::chrono::steady_clock::time_point now) {
+  if (!wanted_picture_ || (!is_surface_at_rest() && now < wanted_picture_->until)) return;
+  const std::filesystem::path file = std::exchange(wanted_picture_, std::nullopt)->file;
+  const Result<Image> picture = picture_without_rings();
+  const Status written = picture.is_ok() ? write_png(*picture, file) : picture.status();
+  if (!written.is_ok()) return workspace_->log.failure("screenshot", written);
+  std::error_code ignored;
+  const std::string saved = "saved " + std::filesystem::absolute(file, ignored).string();
+  const Document* const document = workspace_->document();
+  const std::string lack = document ? simplified_text(document->surface().status()) : "";
+  if (lack.empty()) return workspace_->log.info(saved);
+  workspace_->log.warning(saved + ": " + lack);
 }
 
 }  // namespace burnish

@@ -1,5 +1,5 @@
-// The lines over the picture, as client/app/app_picture.cpp and overlay/ruler_overlay.cpp draw them: between original and
-// edited surface, the lasso and the ruler.
+// The lines over the picture, as client/app/app_drawing.cpp and overlay/ruler_overlay.cpp draw them: between original
+// and edited surface, the lasso and the ruler.
 
 import { useEffect, useRef } from "preact/hooks";
 import { command } from "./commands";
