@@ -123,9 +123,9 @@ void LiveConversation::begin() {
 
 bool LiveConversation::must_leave() {
   if (options_.clock() >= last_heard_ + options_.silence_max)
-    farewell_ =
+    go_away_ =
         "server " + server_ + ": nothing was heard for " + seconds_text(options_.silence_max);
-  return !farewell_.empty() || !failure_.is_ok();
+  return !go_away_.empty() || !failure_.is_ok();
 }
 
 std::optional<ClientMessage> LiveConversation::next() {
@@ -175,13 +175,13 @@ LiveConversation::Time LiveConversation::next_deadline() const {
 
 Status LiveConversation::why_it_ended(const Status& of_stream) const {
   if (!failure_.is_ok()) return failure_;
-  return farewell_.empty() ? of_stream : unavailable(farewell_);
+  return go_away_.empty() ? of_stream : unavailable(go_away_);
 }
 
 std::optional<std::chrono::milliseconds> LiveConversation::end(const Status& of_stream) {
   const Status why = why_it_ended(of_stream);
   failure_ = Status::ok();
-  farewell_.clear();
+  go_away_.clear();
   const bool has_moved = !why.moved_to().empty();
   const bool is_over = !has_moved && !is_worth_another_try(why.code());
   {

@@ -56,7 +56,7 @@ class LiveConversation {
   bool hear(Result<std::optional<ServerMessage>> said);
   /// Returns the next message, if there is one to send now.
   std::optional<ClientMessage> next();
-  /// Returns whether the stream is to end: it is silent, has said farewell, or was not understood.
+  /// Returns whether the stream is to end: it is silent, has said go_away, or was not understood.
   bool must_leave();
   /// Returns when to call next() and must_leave() again if nothing happens before.
   Time next_deadline() const;
@@ -74,7 +74,7 @@ class LiveConversation {
   Status take_in(HistoryState& history);
   Status take_in(SessionPeople& people);
   Status take_in(const Heartbeat& echo);
-  Status take_in(const Farewell& farewell);
+  Status take_in(const GoAway& go_away);
 
   std::optional<ClientMessage> choose_message(Time now);
   Heartbeat heartbeat(Time now);
@@ -93,8 +93,8 @@ class LiveConversation {
   std::vector<std::shared_ptr<const Page>> added_pages_;  // of the next message, if it adds pages
   Time last_heard_;
   Time next_heartbeat_;
-  std::string farewell_;  // why to come back on another stream; empty: no reason
-  Status failure_;        // of the last message
+  std::string go_away_;  // why to come back on another stream; empty: no reason
+  Status failure_;       // of the last message
   bool beat_for_credit_ = false;
   bool has_server_lost_it_ = false;  // the session
   int failures_ = 0;                 // streams without a frame, one after the other

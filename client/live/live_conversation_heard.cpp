@@ -81,7 +81,7 @@ Status LiveConversation::take_in(EditsAcknowledged& answer) {
 Status LiveConversation::take_in(EditsRefused& answer) {
   // It cannot be kept now: the next stream brings it again.
   if (answer.status.code() == StatusCode::kUnavailable) {
-    farewell_ = "server " + server_ + ": " + answer.status.message();
+    go_away_ = "server " + server_ + ": " + answer.status.message();
     return Status::ok();
   }
   const LiveGuard lock(mutex_);
@@ -113,15 +113,15 @@ Status LiveConversation::take_in(const Heartbeat& echo) {
   return Status::ok();
 }
 
-Status LiveConversation::take_in(const Farewell& farewell) {
-  if (!farewell.come_back) return failed_precondition(farewell.reason);
-  farewell_ = "server " + server_ + ": " + farewell.reason;
-  if (!farewell.fleet.empty()) route_->learn(farewell.fleet);
-  if (farewell.moved_to) return Status::moved(farewell.moved_to->text(), farewell_);
+Status LiveConversation::take_in(const GoAway& go_away) {
+  if (!go_away.come_back) return failed_precondition(go_away.reason);
+  go_away_ = "server " + server_ + ": " + go_away.reason;
+  if (!go_away.fleet.empty()) route_->learn(go_away.fleet);
+  if (go_away.moved_to) return Status::moved(go_away.moved_to->text(), go_away_);
   has_server_lost_it_ =
-      farewell.code == FarewellCode::kGoingDown || farewell.code == FarewellCode::kNotOwner;
+      go_away.code == GoAwayCode::kGoingDown || go_away.code == GoAwayCode::kNotOwner;
   const LiveGuard lock(mutex_);
-  news_.pages_refused += farewell.code == FarewellCode::kTooManyPages;
+  news_.pages_refused += go_away.code == GoAwayCode::kTooManyPages;
   return Status::ok();
 }
 

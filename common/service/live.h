@@ -136,7 +136,7 @@ struct HistoryState {
 };
 
 /// Says why a stream ends.
-enum class FarewellCode {
+enum class GoAwayCode {
   kUnknown,       ///< of a server that knows no codes, or knows others
   kGoingDown,     ///< the server ends
   kSilent,        ///< the client has sent nothing for too long
@@ -149,8 +149,8 @@ enum class FarewellCode {
 };
 
 /// The last message.
-struct Farewell {
-  FarewellCode code = FarewellCode::kUnknown;
+struct GoAway {
+  GoAwayCode code = GoAwayCode::kUnknown;
   std::string reason;      ///< in words
   bool come_back = false;  ///< greet again after a pause
   /// Has the session, or is to take it: greet there at once.
@@ -159,6 +159,6 @@ struct Farewell {
 };
 
 using ServerMessage = std::variant<ProgressReport, Welcome, LiveFrame, EditsAcknowledged,
-                                   EditsRefused, HistoryState, SessionPeople, Heartbeat, Farewell>;
+                                   EditsRefused, HistoryState, SessionPeople, Heartbeat, GoAway>;
 
 }  // namespace burnish

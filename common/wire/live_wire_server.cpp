@@ -48,16 +48,16 @@ FrameStats read_stats(const v1::Frame& message) {
   return stats;
 }
 
-// In the order of FarewellCode.
+// In the order of GoAwayCode.
 constexpr v1::GoAwayCode kGoAwayCodes[] = {
     v1::GO_AWAY_CODE_UNSPECIFIED,   v1::GO_AWAY_CODE_GOING_DOWN, v1::GO_AWAY_CODE_SILENT,
     v1::GO_AWAY_CODE_CLOSED,        v1::GO_AWAY_CODE_REMOVED,    v1::GO_AWAY_CODE_TOO_MANY_PAGES,
     v1::GO_AWAY_CODE_DAMAGED_PAGES, v1::GO_AWAY_CODE_FAILED,     v1::GO_AWAY_CODE_NOT_OWNER};
 
-FarewellCode read_code(v1::GoAwayCode code) {
+GoAwayCode read_code(v1::GoAwayCode code) {
   const auto found = std::ranges::find(kGoAwayCodes, code);
-  return found == std::end(kGoAwayCodes) ? FarewellCode::kUnknown
-                                         : static_cast<FarewellCode>(found - kGoAwayCodes);
+  return found == std::end(kGoAwayCodes) ? GoAwayCode::kUnknown
+                                         : static_cast<GoAwayCode>(found - kGoAwayCodes);
 }
 
 /// Sets the message's member of the oneof.
@@ -103,15 +103,15 @@ struct ServerWriter {
   void operator()(const Heartbeat& beat) const {
     message.mutable_heartbeat()->set_client_time_us(beat.client_time_us);
   }
-  void operator()(Farewell& farewell) const {
+  void operator()(GoAway& go_away) const {
     v1::GoAway& sent = *message.mutable_go_away();
-    sent.set_reason(std::move(farewell.reason));
-    sent.set_come_back(farewell.come_back);
-    sent.set_code(kGoAwayCodes[static_cast<size_t>(farewell.code)]);
-    for (std::string& address : farewell.fleet) sent.add_fleet(std::move(address));
-    if (!farewell.moved_to) return;
-    sent.mutable_moved()->set_address(std::move(farewell.moved_to->address));
-    sent.mutable_moved()->set_node(std::move(farewell.moved_to->node));
+    sent.set_reason(std::move(go_away.reason));
+    sent.set_come_back(go_away.come_back);
+    sent.set_code(kGoAwayCodes[static_cast<size_t>(go_away.code)]);
+    for (std::string& address : go_away.fleet) sent.add_fleet(std::move(address));
+    if (!go_away.moved_to) return;
+    sent.mutable_moved()->set_address(std::move(go_away.moved_to->address));
+    sent.mutable_moved()->set_node(std::move(go_away.moved_to->node));
   }
 };
 
@@ -142,12 +142,12 @@ Result<HistoryState> read_history(const v1::HistoryChanged& message) {
   return HistoryState{message.edits(), std::move(settings)};
 }
 
-Farewell read_farewell(const v1::GoAway& message) {
-  Farewell farewell{read_code(message.code()), message.reason(), message.come_back()};
+GoAway read_go_away(const v1::GoAway& message) {
+  GoAway go_away{read_code(message.code()), message.reason(), message.come_back()};
   const ServerPlace place{message.moved().address(), message.moved().node()};
-  if (place != ServerPlace()) farewell.moved_to = place;
-  farewell.fleet = {message.fleet().begin(), message.fleet().end()};
-  return farewell;
+  if (place != ServerPlace()) go_away.moved_to = place;
+  go_away.fleet = {message.fleet().begin(), message.fleet().end()};
+  return go_away;
 }
 
 using AnyServerMessage = std::optional<ServerMessage>;
@@ -188,7 +188,7 @@ Result<AnyServerMessage> from_wire(v1::ServerMessage message) {
     case v1::ServerMessage::kHeartbeat:
       return AnyServerMessage(Heartbeat{message.heartbeat().client_time_us()});
     case v1::ServerMessage::kGoAway:
-      return AnyServerMessage(read_farewell(message.go_away()));
+      return AnyServerMessage(read_go_away(message.go_away()));
     case v1::ServerMessage::MESSAGE_NOT_SET:
       break;
   }

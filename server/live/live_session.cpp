@@ -184,23 +184,23 @@ void LiveSession::tell_people() {
   for (const auto& subscriber : subscribers()) subscriber->tell(people);
 }
 
-void LiveSession::close(const Farewell& farewell) {
-  for (const auto& subscriber : subscribers()) subscriber->close(farewell);
+void LiveSession::close(const GoAway& go_away) {
+  for (const auto& subscriber : subscribers()) subscriber->close(go_away);
 }
 
 void LiveSession::abandon(const Status& why, const std::vector<std::string>& fleet) {
-  Farewell farewell{FarewellCode::kNotOwner, why.message(), true, std::nullopt, fleet};
-  if (!why.moved_to().empty()) farewell.moved_to = ServerPlace::of(why.moved_to());
-  for (const auto& subscriber : subscribers()) subscriber->abandon(farewell);
+  GoAway go_away{GoAwayCode::kNotOwner, why.message(), true, std::nullopt, fleet};
+  if (!why.moved_to().empty()) go_away.moved_to = ServerPlace::of(why.moved_to());
+  for (const auto& subscriber : subscribers()) subscriber->abandon(go_away);
   refuse_waiting(unavailable(why.message()));
 }
 
-// Also answers waiting edits, because a farewell comes after the last answer.
+// Also answers waiting edits, because a go_away comes after the last answer.
 void LiveSession::fail(const Status& why) {
   if (!why.moved_to().empty()) return abandon(why, {});
   spdlog::error("session {}: {}", entry_->record.id, why.to_string());
   const bool come_back = why.code() != StatusCode::kNotFound;
-  close({come_back ? FarewellCode::kFailed : FarewellCode::kClosed, why.message(), come_back});
+  close({come_back ? GoAwayCode::kFailed : GoAwayCode::kClosed, why.message(), come_back});
   refuse_waiting(come_back ? unavailable(why.message()) : why);
 }
 
@@ -215,7 +215,7 @@ void LiveSession::end_unwelcome(steady_clock::duration silence_max) {
     const auto stays = subscriber->may_stay();
     if (!stays.is_ok()) subscriber->dismiss(stays.message(), kTimeToTakeIt);
     if (!subscriber->is_silent(silence_max)) continue;
-    subscriber->close(Farewell{FarewellCode::kSilent, silence_text(silence_max), true});
+    subscriber->close(GoAway{GoAwayCode::kSilent, silence_text(silence_max), true});
     if (subscriber->is_silent(silence_max + kTimeToTakeIt)) subscriber->cut();
   }
 }

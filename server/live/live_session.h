@@ -52,7 +52,7 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
   void wake_for_frames();
 
   /// Closes all subscribers.
-  void close(const Farewell& farewell);
+  void close(const GoAway& go_away);
 
   /// Another server may have the session, one of `fleet`: closes all subscribers, and answers no
   /// edits any more. `why` names the server if it is known.
@@ -62,7 +62,7 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
   uint64_t session_bytes() const { return entry_->session_bytes; }
 
   /// Closes subscribers that were silent for `silence_max` and those that may not stay. Cuts off
-  /// those that do not take the farewell.
+  /// those that do not take the go_away.
   void end_unwelcome(std::chrono::steady_clock::duration silence_max);
 
   bool turn() override;

@@ -81,7 +81,7 @@ void LiveSessions::drain(Successors successors) {
     sessions = sessions_;
   }
   for (const auto& [id, session] : sessions)
-    session->close({FarewellCode::kGoingDown, going_down().message(), true,
+    session->close({GoAwayCode::kGoingDown, going_down().message(), true,
                     successors.next(session->session_bytes()), others});
 }
 
@@ -124,14 +124,14 @@ uint64_t LiveSessions::client_bytes(const std::string& id) const {
 void LiveSessions::on_session_left(const std::string& id, const Status& why) {
   const auto session = find(id);
   if (!session) return;
-  session->close({FarewellCode::kClosed, why.message(), false});
+  session->close({GoAwayCode::kClosed, why.message(), false});
   session->wake();  // to answer the remaining edits
 }
 
 void LiveSessions::on_session_lost(const std::string& id, const Status& why) {
   const auto session = find(id);
   if (!session) return;
-  session->close({FarewellCode::kFailed, why.message(), true});
+  session->close({GoAwayCode::kFailed, why.message(), true});
   session->wake();  // to answer the remaining edits
 }
 

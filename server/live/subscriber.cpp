@@ -54,7 +54,7 @@ bool Subscriber::is_silent(steady_clock::duration time) const {
 }
 
 void Subscriber::dismiss(const std::string& why, steady_clock::duration time) {
-  close(Farewell{FarewellCode::kRemoved, why, false});
+  close(GoAway{GoAwayCode::kRemoved, why, false});
   {
     const std::lock_guard lock(mutex_);
     if (!dismissed_) dismissed_ = steady_clock::now();
@@ -126,30 +126,30 @@ void Subscriber::tell(const HistoryState& history) {
   on_message();
 }
 
-void Subscriber::close(std::optional<Farewell> farewell) {
+void Subscriber::close(std::optional<GoAway> go_away) {
   {
     const std::lock_guard lock(mutex_);
     if (closed_) return;
-    close_held(std::move(farewell));
+    close_held(std::move(go_away));
   }
   on_message();
 }
 
-void Subscriber::close_held(std::optional<Farewell> farewell) {
+void Subscriber::close_held(std::optional<GoAway> go_away) {
   closed_ = true;
-  farewell_ = std::move(farewell);
+  go_away_ = std::move(go_away);
   people_.reset();
   history_.reset();
   echo_.reset();
   frame_.reset();
 }
 
-void Subscriber::abandon(Farewell farewell) {
+void Subscriber::abandon(GoAway go_away) {
   {
     const std::lock_guard lock(mutex_);
     is_abandoned_ = true;
-    const bool is_leaving = closed_ && !farewell_;  // by itself, or it has taken another farewell
-    if (!is_leaving) close_held(std::move(farewell));
+    const bool is_leaving = closed_ && !go_away_;  // by itself, or it has taken another go_away
+    if (!is_leaving) close_held(std::move(go_away));
   }
   on_message();
 }
@@ -173,8 +173,8 @@ std::optional<ServerMessage> Subscriber::take() {
       message = *std::exchange(history_, std::nullopt);
     } else if (people_) {
       message = *std::exchange(people_, nullptr);
-    } else if (farewell_ && (unanswered_ == 0 || is_abandoned_)) {
-      message = *std::exchange(farewell_, std::nullopt);
+    } else if (go_away_ && (unanswered_ == 0 || is_abandoned_)) {
+      message = *std::exchange(go_away_, std::nullopt);
     }
   }
   if (took_frame) on_wish();
@@ -188,7 +188,7 @@ bool Subscriber::is_closed() const {
 
 bool Subscriber::is_finished() const {
   const std::lock_guard lock(mutex_);
-  return closed_ && answers_.empty() && !farewell_ && (unanswered_ == 0 || is_abandoned_);
+  return closed_ && answers_.empty() && !go_away_ && (unanswered_ == 0 || is_abandoned_);
 }
 
 uint32_t Subscriber::credits() const {

@@ -54,7 +54,7 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
   // Messages from the client.
   void grant(const FrameCredit& credit);
   /// Checks the change at once; an encoder's thread makes the pages. If it cannot, the client gets
-  /// a farewell that says why. Fails: as PageWishes::want().
+  /// a go_away that says why. Fails: as PageWishes::want().
   Status show_pages(const ShowPages& change);
   /// Says whether vertices move otherwise than their corners say, which changes the pages.
   void set_layer(bool is_there);
@@ -70,7 +70,7 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
   /// Fails: with the reason why the client must go.
   Status may_stay() const { return wiring_.may_stay ? wiring_.may_stay() : Status::ok(); }
 
-  /// Closes, and cuts the client off if it has not taken the farewell after `time`.
+  /// Closes, and cuts the client off if it has not taken the go_away after `time`.
   void dismiss(const std::string& why, std::chrono::steady_clock::duration time);
 
   /// Returns whether more may be read from this client: it takes its answers, and does not send
@@ -88,13 +88,13 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
   void tell(std::shared_ptr<const SessionPeople> people);
   void tell(const HistoryState& history);
 
-  /// Takes nothing more from the client. Still answers its edits; then `farewell`, if any, is the
+  /// Takes nothing more from the client. Still answers its edits; then `go_away`, if any, is the
   /// last message.
-  void close(std::optional<Farewell> farewell);
+  void close(std::optional<GoAway> go_away);
 
   /// Does the same without waiting for answers that are not there yet: the client sends these edits
   /// again elsewhere.
-  void abandon(Farewell farewell);
+  void abandon(GoAway go_away);
 
   bool is_closed() const;
 
@@ -121,7 +121,7 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
 
  private:
   void answer(ServerMessage message, size_t bytes);
-  void close_held(std::optional<Farewell> farewell);  // needs the lock
+  void close_held(std::optional<GoAway> go_away);  // needs the lock
   void post_pages();
   void encode(const Shot& shot);
   void hear(const FrameCredit& unseen);
@@ -164,7 +164,7 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
   std::chrono::steady_clock::time_point last_beat_;
   std::chrono::steady_clock::time_point frame_beat_;  // last beat before the frame under way
   std::chrono::steady_clock::time_point last_heard_ = std::chrono::steady_clock::now();
-  std::optional<Farewell> farewell_;
+  std::optional<GoAway> go_away_;
   std::optional<std::chrono::steady_clock::time_point> dismissed_;
   bool closed_ = false;
   bool is_abandoned_ = false;  // closed, and its edits get no answers any more

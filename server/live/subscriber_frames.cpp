@@ -45,17 +45,17 @@ void Subscriber::set_layer(bool is_there) {
   if (wishes_->set_layer(is_there)) post_pages();
 }
 
-static Farewell farewell_of(const char* task, const Status& why) {
-  FarewellCode code = FarewellCode::kFailed;
-  if (why.code() == StatusCode::kResourceExhausted) code = FarewellCode::kTooManyPages;
-  if (why.code() == StatusCode::kDataLoss) code = FarewellCode::kDamagedPages;
+static GoAway go_away_of(const char* task, const Status& why) {
+  GoAwayCode code = GoAwayCode::kFailed;
+  if (why.code() == StatusCode::kResourceExhausted) code = GoAwayCode::kTooManyPages;
+  if (why.code() == StatusCode::kDataLoss) code = GoAwayCode::kDamagedPages;
   return {code, "the server cannot " + std::string(task) + ": " + why.message(), true};
 }
 
 // Weak: nobody needs the pages of a client that has gone.
 void Subscriber::post_pages() {
   const auto fail = [](Subscriber& self, const Status& why) {
-    self.close(farewell_of("show the pages", why));
+    self.close(go_away_of("show the pages", why));
   };
   const auto make = [weak = weak_from_this(), fail] {
     const auto self = weak.lock();
@@ -105,7 +105,7 @@ void Subscriber::show(Shot shot) {
   const auto self = shared_from_this();
   encoders_.post(
       {.work = [self, shot = std::move(shot)] { self->encode(shot); },
-       .on_failure = [self](const Status& why) { self->close(farewell_of("make a frame", why)); }});
+       .on_failure = [self](const Status& why) { self->close(go_away_of("make a frame", why)); }});
 }
 
 void Subscriber::hear(const FrameCredit& unseen) {

@@ -30,10 +30,10 @@ enum class Refusal {
   kCutOff,        ///< the message was above the receive limit, or its client left meanwhile
   kConnections,   ///< above connections_max
   kHandshake,     ///< no TLS, or a wrong certificate
-  kHost,          ///< the web door: the header Host has a name that is not the server's
+  kHost,          ///< the web gateway: the header Host has a name that is not the server's
   kKeptSessions,  ///< no place for a session: the user's share, or the server's
   kHistory,       ///< a session or a user has too many bytes of edits
-  kOrigin,        ///< the web door: a page of another origin
+  kOrigin,        ///< the web gateway: a page of another origin
 };
 
 /// Counted things.

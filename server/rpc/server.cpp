@@ -16,7 +16,7 @@
 #include "server/rpc/transport/to_grpc.h"
 #include "server/trust/role.h"
 #include "server/trust/secret.h"
-#include "server/web/web_door.h"
+#include "server/web/web_gateway.h"
 
 namespace burnish {
 
@@ -54,7 +54,7 @@ struct Server::State {
   LibraryService library;
   EditingService editing;
   std::unique_ptr<grpc::Server> server;
-  std::unique_ptr<WebDoor> web;  // after the server: its channel goes first
+  std::unique_ptr<WebGateway> web;  // after the server: its channel goes first
   ConnectionAcceptor acceptor;
   std::string web_address;
   std::string address;
@@ -82,10 +82,10 @@ static void set_limits(grpc::ServerBuilder& builder) {
 }
 
 static void observe_calls(grpc::ServerBuilder& builder, const std::shared_ptr<CallCounts>& counts,
-                          const std::string& door_secret, ConnectionAcceptor& acceptor) {
+                          const std::string& gateway_secret, ConnectionAcceptor& acceptor) {
   std::vector<std::unique_ptr<grpc::experimental::ServerInterceptorFactoryInterface>> observers;
   observers.push_back(std::make_unique<CallObserverFactory>(
-      counts, door_secret, [&acceptor](const std::string& peer) { acceptor.note_call(peer); }));
+      counts, gateway_secret, [&acceptor](const std::string& peer) { acceptor.note_call(peer); }));
   builder.experimental().SetInterceptorCreators(std::move(observers));
 }
 
@@ -95,7 +95,8 @@ static void keep_grpc() {
   [[maybe_unused]] static const bool kept = (grpc_init(), true);
 }
 
-/// The web door's calls stay in the process, and so do its limits: gRPC's own client has none here.
+/// The web gateway's calls stay in the process, and so do its limits: gRPC's own client has none
+/// here.
 static std::shared_ptr<grpc::Channel> in_process_channel(grpc::Server& server) {
   grpc::ChannelArguments arguments;
   arguments.SetMaxReceiveMessageSize(-1);
@@ -103,8 +104,8 @@ static std::shared_ptr<grpc::Channel> in_process_channel(grpc::Server& server) {
   return server.InProcessChannel(arguments);
 }
 
-static auto admission_of_door(std::shared_ptr<const Admission> admission,
-                              ConnectionAcceptor& acceptor) {
+static auto admission_of_gateway(std::shared_ptr<const Admission> admission,
+                                 ConnectionAcceptor& acceptor) {
   return [admission = std::move(admission), &acceptor](
              const std::string& method, const Proof& proof, const std::string& peer) {
     const Status admitted = admission->admit(method, proof, peer);
@@ -123,7 +124,8 @@ Result<std::unique_ptr<Server>> Server::start(const ServerOptions& options, Mesh
   auto state = std::make_unique<State>(options, store, sessions, live, lanes);
   const auto admission = std::make_shared<const Admission>(state->guard, state->counts);
   grpc::ServerBuilder builder;
-  const auto open_door = [&](ListeningSocket socket, std::shared_ptr<grpc::ServerCredentials> how) {
+  const auto open_way_in = [&](ListeningSocket socket,
+                               std::shared_ptr<grpc::ServerCredentials> how) {
     if (state->address.empty()) state->address = socket.address();
     state->port = std::max(state->port, socket.port());
     std::shared_ptr receiver = builder.experimental().AddExternalConnectionAcceptor(
@@ -138,21 +140,22 @@ Result<std::unique_ptr<Server>> Server::start(const ServerOptions& options, Mesh
   };
   if (!options.listen.empty()) {
     ASSIGN_OR_RETURN(ListeningSocket socket, ListeningSocket::tcp(options.listen));
-    open_door(std::move(socket),
-              options.certificates ? tls_credentials(*options.certificates,
-                                                     options.client_certificate_required, admission)
-                                   : plaintext_credentials(admission));
+    open_way_in(
+        std::move(socket),
+        options.certificates
+            ? tls_credentials(*options.certificates, options.client_certificate_required, admission)
+            : plaintext_credentials(admission));
   }
   if (!options.socket.empty()) {
     ASSIGN_OR_RETURN(
         ListeningSocket socket,
         ListeningSocket::unix_domain(
             options.socket, options.socket_user_only ? SocketAccess::kUser : SocketAccess::kGroup));
-    open_door(std::move(socket), plaintext_credentials(admission));
+    open_way_in(std::move(socket), plaintext_credentials(admission));
   }
   set_limits(builder);
-  const std::string door_secret = make_secret();
-  observe_calls(builder, state->counts, door_secret, state->acceptor);
+  const std::string gateway_secret = make_secret();
+  observe_calls(builder, state->counts, gateway_secret, state->acceptor);
   builder.RegisterService(&state->library);
   builder.RegisterService(&state->editing);
   state->server = builder.BuildAndStart();
@@ -161,7 +164,7 @@ Result<std::unique_ptr<Server>> Server::start(const ServerOptions& options, Mesh
   if (!options.web.empty()) {
     RETURN_IF_ERROR(server->open_web(
         options, {in_process_channel(*server->state_->server),
-                  admission_of_door(admission, server->state_->acceptor), door_secret}));
+                  admission_of_gateway(admission, server->state_->acceptor), gateway_secret}));
   }
   server->set_serving(true);
   server->state_->acceptor.start();
@@ -171,12 +174,13 @@ Result<std::unique_ptr<Server>> Server::start(const ServerOptions& options, Mesh
 Status Server::open_web(const ServerOptions& options, WebCalls calls) {
   ASSIGN_OR_RETURN(ListeningSocket socket, ListeningSocket::tcp(options.web));
   state_->web_address = (options.certificates ? "https://" : "http://") + socket.address();
-  WebDoorOptions web{options.web_hosts, options.certificates, options.client_certificate_required};
+  WebGatewayOptions web{options.web_hosts, options.certificates,
+                        options.client_certificate_required};
   web.hosts.push_back(options.web.substr(0, options.web.rfind(':')));
-  state_->web = std::make_unique<WebDoor>(std::move(web), std::move(calls));
+  state_->web = std::make_unique<WebGateway>(std::move(web), std::move(calls));
   state_->acceptor.add(
       std::move(socket),
-      [&door = *state_->web](int, int fd, const std::string& peer) { door.take(fd, peer); },
+      [&gateway = *state_->web](int, int fd, const std::string& peer) { gateway.take(fd, peer); },
       ConnectionAcceptor::Silence::kReceiver);
   return Status::ok();
 }

@@ -49,10 +49,10 @@ class Server {
   const std::string& address() const;
   int port() const;  ///< 0 without TCP
 
-  /// "https://HOST:PORT" with the chosen port; empty without a web door.
+  /// "https://HOST:PORT" with the chosen port; empty without a web gateway.
   const std::string& web_address() const;
 
-  /// Returns the connections that the web door holds; 0 without a door.
+  /// Returns the connections that the web gateway holds; 0 without a gateway.
   size_t web_connections() const;
 
   /// Sets the answer of the health service for the server and each of its services.

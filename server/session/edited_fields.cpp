@@ -7,13 +7,13 @@
 
 namespace burnish {
 
-EditedFields::EditedFields(const PreparedMesh& prepared, const Controls& born_with)
+EditedFields::EditedFields(const PreparedMesh& prepared, const Controls& initial)
     : prepared_(prepared),
       fields_(prepared),
-      born_with_(born_with),
+      initial_(initial),
       protection_(prepared),
       strokes_done_{begin_series(prepared)} {
-  fields_.set({.controls = born_with});
+  fields_.set({.controls = initial});
   hold_rims();
 }
 
@@ -113,7 +113,7 @@ static bool sets_cells(const Change& change, CellTarget target) {
 
 EditedFields::Counting EditedFields::counting() const {
   Counting counting;
-  counting.settings.controls = born_with_;
+  counting.settings.controls = initial_;
   std::array<const Change*, std::variant_size_v<Change>> last{};  // of each kind
   for (const History::Entry& entry : history_.entries()) {
     if (!entry.enabled) continue;

@@ -28,8 +28,8 @@ inline Status about_edit(const Status& status, const Edit& edit, size_t edits) {
 class EditedFields {
  public:
   /// Needs: prepared outlives this.
-  /// `born_with` counts until an edit sets others.
-  explicit EditedFields(const PreparedMesh& prepared, const Controls& born_with = {});
+  /// `initial` counts until an edit sets others.
+  explicit EditedFields(const PreparedMesh& prepared, const Controls& initial = {});
 
   /// Takes all edits or none into the history, which is quick. The fields are behind until they
   /// catch up. Returns the number that History::apply gives for each. Needs: ids that the history
@@ -130,7 +130,7 @@ class EditedFields {
   const PreparedMesh& prepared_;
   History history_;
   Fields fields_;
-  const Controls born_with_;
+  const Controls initial_;
   std::shared_ptr<const HeldRims> rims_;  // found when rims are first pinned
   Protection protection_;
   std::vector<uint64_t> protects_applied_;  // entries that protection_ has, in order

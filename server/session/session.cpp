@@ -20,10 +20,10 @@ static constexpr int kCyclesMax = 500;
 
 struct Session::State {
   State(const Multigrid& on, const SolverOptions& options, std::unique_ptr<Solver> session_solver,
-        const Controls& born_with)
+        const Controls& initial)
       : prepared(on.prepared),
         hierarchy(on.hierarchy),
-        edited(*prepared, born_with),
+        edited(*prepared, initial),
         solver(std::move(session_solver)),
         bands(on, options),
         colour(on, options),
@@ -175,13 +175,13 @@ struct Session::State {
 };
 
 Result<std::unique_ptr<Session>> Session::open(const Multigrid& on, const SolverOptions& options,
-                                               const Controls& born_with,
+                                               const Controls& initial,
                                                const Solver::RoomOnProcessors& room) {
   using Opened = Result<std::unique_ptr<Session>>;
   return with_memory_for("opening a session", [&]() -> Opened {
     ASSIGN_OR_RETURN(auto solver, Solver::create(on, options, room));
     return std::unique_ptr<Session>(
-        new Session(std::make_unique<State>(on, options, std::move(solver), born_with)));
+        new Session(std::make_unique<State>(on, options, std::move(solver), initial)));
   });
 }
 

@@ -43,10 +43,10 @@ struct VertexLayer {
 /// its owner serialises calls.
 class Session {
  public:
-  /// `born_with` counts until an edit sets others. Fails: failed_precondition (no such backend
+  /// `initial` counts until an edit sets others. Fails: failed_precondition (no such backend
   /// here); resource_exhausted (not enough memory); as `room` says.
   static Result<std::unique_ptr<Session>> open(const Multigrid& on, const SolverOptions& options,
-                                               const Controls& born_with = {},
+                                               const Controls& initial = {},
                                                const Solver::RoomOnProcessors& room = {});
   ~Session();
 

@@ -1,15 +1,15 @@
 #include "server/web/bridged_call.h"
 
-#include "server/web/door_mark.h"
+#include "server/web/gateway_mark.h"
 
 namespace burnish {
 
 BridgedCall::BridgedCall(const WebCalls& calls, const std::string& method, const Caller& caller,
                          Events events)
     : calls_(calls), method_(method), events_(std::move(events)), stub_(calls.channel) {
-  context_.AddMetadata(kDoorSecretKey, calls_.secret);
-  context_.AddMetadata(kDoorPeerKey, caller.peer);
-  if (!caller.certificate.empty()) context_.AddMetadata(kDoorCertificateKey, caller.certificate);
+  context_.AddMetadata(kGatewaySecretKey, calls_.secret);
+  context_.AddMetadata(kGatewayPeerKey, caller.peer);
+  if (!caller.certificate.empty()) context_.AddMetadata(kGatewayCertificateKey, caller.certificate);
   if (!caller.authorization.empty()) context_.AddMetadata("authorization", caller.authorization);
   if (caller.user) context_.AddMetadata("burnish-user-bin", *caller.user);
 }

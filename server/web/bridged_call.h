@@ -8,12 +8,12 @@
 #include <grpcpp/generic/generic_stub.h>
 #include <grpcpp/grpcpp.h>
 
-#include "server/web/web_door.h"
+#include "server/web/web_gateway.h"
 
 namespace burnish {
 
-/// A call of any kind that the door makes for a client, message for message. Each direction has one
-/// message in flight. All functions and events run on one strand: `Events::post` brings gRPC's
+/// A call of any kind that the gateway makes for a client, message for message. Each direction has
+/// one message in flight. All functions and events run on one strand: `Events::post` brings gRPC's
 /// reactions to it.
 class BridgedCall : public grpc::ClientBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>,
                     public std::enable_shared_from_this<BridgedCall> {

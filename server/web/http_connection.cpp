@@ -14,7 +14,7 @@
 #include <boost/beast/http/write.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
 
-#include "server/web/door_state.h"
+#include "server/web/gateway_state.h"
 #include "server/web/page_answer.h"
 #include "server/web/protocol/web_limits.h"
 #include "server/web/tls_contexts.h"
@@ -37,9 +37,9 @@ template <typename Stream>
 class HttpConnection final : public WebConnection,
                              public std::enable_shared_from_this<HttpConnection<Stream>> {
  public:
-  HttpConnection(DoorState& door, WebPeer peer, Stream stream)
-      : seat_(door.connections),
-        door_(door),
+  HttpConnection(GatewayState& gateway, WebPeer peer, Stream stream)
+      : seat_(gateway.connections),
+        gateway_(gateway),
         peer_(std::move(peer)),
         strand_(stream.get_executor()),
         stream_(std::move(stream)),
@@ -107,17 +107,17 @@ class HttpConnection final : public WebConnection,
     if (error) return end();
     const HttpRequest& request = parser_->get();
     const Status host =
-        check_host(door_.rules, text_of(request[http::field::host]), peer_.local_address);
+        check_host(gateway_.rules, text_of(request[http::field::host]), peer_.local_address);
     if (!host.is_ok()) return refuse(403, Refusal::kHost, host.message());
     if (!parser_->is_done()) return refuse(413, Refusal::kMalformed, "a request has a body");
     if (is_for_calls(text_of(request.target()))) return open_socket(request);
-    send(answer_page(door_.files, {text_of(request.method_string()), text_of(request.target()),
-                                   text_of(request[http::field::if_none_match]),
-                                   text_of(request[http::field::accept_encoding])}));
+    send(answer_page(gateway_.files, {text_of(request.method_string()), text_of(request.target()),
+                                      text_of(request[http::field::if_none_match]),
+                                      text_of(request[http::field::accept_encoding])}));
   }
 
   void open_socket(const HttpRequest& request) {
-    const Status origin = check_origin(door_.rules, text_of(request[http::field::origin]),
+    const Status origin = check_origin(gateway_.rules, text_of(request[http::field::origin]),
                                        text_of(request[http::field::host]));
     if (!origin.is_ok()) return refuse(403, Refusal::kOrigin, origin.message());
     if (!beast::websocket::is_upgrade(request))
@@ -126,7 +126,7 @@ class HttpConnection final : public WebConnection,
       return refuse(400, Refusal::kMalformed, "the subprotocol is not burnish.v1");
     timer_.cancel();
     is_ended_ = true;
-    serve_socket(door_, std::move(peer_), std::move(stream_), parser_->release());
+    serve_socket(gateway_, std::move(peer_), std::move(stream_), parser_->release());
   }
 
   /// Answers and ends the connection.
@@ -175,8 +175,8 @@ class HttpConnection final : public WebConnection,
     socket_of(stream_).close(ignored);
   }
 
-  WebConnections::Seat seat_;  // first, so that it goes last: then the door may go
-  DoorState& door_;
+  WebConnections::Seat seat_;  // first, so that it goes last: then the gateway may go
+  GatewayState& gateway_;
   WebPeer peer_;
   const asio::any_io_executor strand_;
   Stream stream_;
@@ -191,12 +191,13 @@ class HttpConnection final : public WebConnection,
 
 }  // namespace
 
-void serve_http(DoorState& door, WebPeer peer, PlainStream stream) {
-  std::make_shared<HttpConnection<PlainStream>>(door, std::move(peer), std::move(stream))->start();
+void serve_http(GatewayState& gateway, WebPeer peer, PlainStream stream) {
+  std::make_shared<HttpConnection<PlainStream>>(gateway, std::move(peer), std::move(stream))
+      ->start();
 }
 
-void serve_http(DoorState& door, WebPeer peer, TlsStream stream) {
-  std::make_shared<HttpConnection<TlsStream>>(door, std::move(peer), std::move(stream))->start();
+void serve_http(GatewayState& gateway, WebPeer peer, TlsStream stream) {
+  std::make_shared<HttpConnection<TlsStream>>(gateway, std::move(peer), std::move(stream))->start();
 }
 
 }  // namespace burnish

@@ -13,7 +13,7 @@
 
 #include "server/trust/role.h"
 #include "server/web/bridged_call.h"
-#include "server/web/door_state.h"
+#include "server/web/gateway_state.h"
 #include "server/web/protocol/conversation.h"
 #include "server/web/protocol/web_limits.h"
 
@@ -43,9 +43,9 @@ template <typename Stream>
 class SocketConnection final : public WebConnection,
                                public std::enable_shared_from_this<SocketConnection<Stream>> {
  public:
-  SocketConnection(DoorState& door, WebPeer peer, Stream stream)
-      : seat_(door.connections),
-        door_(door),
+  SocketConnection(GatewayState& gateway, WebPeer peer, Stream stream)
+      : seat_(gateway.connections),
+        gateway_(gateway),
         peer_(std::move(peer)),
         strand_(stream.get_executor()),
         socket_(std::move(stream)),
@@ -133,7 +133,8 @@ class SocketConnection final : public WebConnection,
   /// sockets together would hold too much.
   bool hold_unfinished(size_t bytes) {
     const size_t before = std::exchange(unfinished_bytes_, bytes);
-    const size_t of_all = door_.unfinished_bytes += bytes - before;  // unsigned: wraps where less
+    const size_t of_all = gateway_.unfinished_bytes +=
+        bytes - before;  // unsigned: wraps where less
     return bytes <= before || of_all <= kWebUnfinishedBytesMax;
   }
 
@@ -160,14 +161,14 @@ class SocketConnection final : public WebConnection,
     const std::string authorization =
         order.call.token.empty() ? std::string() : "Bearer " + order.call.token;
     const grpc::Status admitted =
-        door_.calls.admit(order.call.method, {authorization, peer_.certificate}, peer_.name);
+        gateway_.calls.admit(order.call.method, {authorization, peer_.certificate}, peer_.name);
     if (!admitted.ok()) return end_call(admitted);
     const bool is_open = is_open_to_all(order.call.method);
     message_bytes_max_ = is_open ? kWebOpenMessageBytesMax : kWebMessageBytesMax;
     is_admitted_ |= !is_open;
     metrics().add(Count::kWebCalls, 1);
     call_ = std::make_shared<BridgedCall>(
-        door_.calls, order.call.method,
+        gateway_.calls, order.call.method,
         BridgedCall::Caller{authorization, order.call.user, peer_.name, peer_.certificate},
         events());
     call_->start();
@@ -329,8 +330,8 @@ class SocketConnection final : public WebConnection,
     socket_of(socket_.next_layer()).close(ignored);
   }
 
-  WebConnections::Seat seat_;  // first, so that it goes last: then the door may go
-  DoorState& door_;
+  WebConnections::Seat seat_;  // first, so that it goes last: then the gateway may go
+  GatewayState& gateway_;
   const WebPeer peer_;
   const asio::any_io_executor strand_;
   websocket::stream<Stream, false> socket_;  // without compression
@@ -341,7 +342,7 @@ class SocketConnection final : public WebConnection,
   std::deque<Outgoing> outbox_;
   websocket::close_reason close_reason_;
   size_t message_bytes_max_ = kWebMessageBytesMax;
-  size_t unfinished_bytes_ = 0;  // as the door counts them
+  size_t unfinished_bytes_ = 0;  // as the gateway counts them
   Clock::time_point opened_ = Clock::now(), heard_ = opened_;
   bool is_open_ = false;     // frames may go out
   bool is_reading_ = false;  // a read is under way
@@ -354,19 +355,19 @@ class SocketConnection final : public WebConnection,
 };
 
 template <typename Stream>
-void serve(DoorState& door, WebPeer peer, Stream stream, HttpRequest request) {
-  std::make_shared<SocketConnection<Stream>>(door, std::move(peer), std::move(stream))
+void serve(GatewayState& gateway, WebPeer peer, Stream stream, HttpRequest request) {
+  std::make_shared<SocketConnection<Stream>>(gateway, std::move(peer), std::move(stream))
       ->start(std::move(request));
 }
 
 }  // namespace
 
-void serve_socket(DoorState& door, WebPeer peer, PlainStream stream, HttpRequest request) {
-  serve(door, std::move(peer), std::move(stream), std::move(request));
+void serve_socket(GatewayState& gateway, WebPeer peer, PlainStream stream, HttpRequest request) {
+  serve(gateway, std::move(peer), std::move(stream), std::move(request));
 }
 
-void serve_socket(DoorState& door, WebPeer peer, TlsStream stream, HttpRequest request) {
-  serve(door, std::move(peer), std::move(stream), std::move(request));
+void serve_socket(GatewayState& gateway, WebPeer peer, TlsStream stream, HttpRequest request) {
+  serve(gateway, std::move(peer), std::move(stream), std::move(request));
 }
 
 }  // namespace burnish

@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// A client's connection to the door. Thread-safe.
+/// A client's connection to the gateway. Thread-safe.
 class WebConnection {
  public:
   virtual ~WebConnection() = default;
@@ -16,7 +16,7 @@ class WebConnection {
   virtual void close() = 0;  ///< closes it now
 };
 
-/// The connections of the door. Each holds a seat until its end. Thread-safe.
+/// The connections of the gateway. Each holds a seat until its end. Thread-safe.
 class WebConnections {
  public:
   /// A member of a connection.

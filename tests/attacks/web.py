@@ -1,4 +1,4 @@
-"""Strangers at the door for browsers."""
+"""Strangers at the gateway for browsers."""
 
 import base64
 import os
@@ -65,22 +65,22 @@ class Socket:
         self.socket.close()
 
 
-class _AtTheDoor(Attack):
+class _AtTheGateway(Attack):
     flags = ("--web", "127.0.0.1:0")
 
     @staticmethod
-    def door(server):
+    def gateway(server):
         return server.announced(rb"web on https?://([^/\s]+)", 0)
 
 
-class UnfinishedMessagesTakeNoMemory(_AtTheDoor):
+class UnfinishedMessagesTakeNoMemory(_AtTheGateway):
     """Sockets promise messages of 16 MiB in a call that is open to all, and stop short of the end."""
     finding = "N1"
     witness_session = ""
     taken_mib_max = 20
 
     def attack(self, server):
-        before, address = rss_bytes(server.pid), self.door(server)
+        before, address = rss_bytes(server.pid), self.gateway(server)
         sockets = [Socket(address, "127.0.0.2") for _ in range(60)]
         for one in sockets:
             one.call(CHECK)
@@ -93,14 +93,14 @@ class UnfinishedMessagesTakeNoMemory(_AtTheDoor):
         return "60 sockets took %d MiB" % taken
 
 
-class HealthWatchesLockNobodyOut(_AtTheDoor):
+class HealthWatchesLockNobodyOut(_AtTheGateway):
     """Five addresses hold every connection that the server takes, each by a watch of its health."""
     finding = "N2"
     fresh_connections = True
     answer_s_max = 1
 
     def attack(self, server):
-        address, end = self.door(server), time.monotonic() + self.size(8, 60)
+        address, end = self.gateway(server), time.monotonic() + self.size(8, 60)
         watching = [self.watch(server, address, number) for number in range(256)]
         opened = len(watching)
         while time.monotonic() < end and server.is_alive():

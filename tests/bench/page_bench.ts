@@ -167,7 +167,7 @@ async function importScan(lab: Lab, scan: string, depth: string): Promise<void> 
   await lab.ask("open", "scan", "--session", "bench", ...wanted);
 }
 
-/** Returns the bytes of the core, plain and packed as the door sends it. */
+/** Returns the bytes of the core, plain and packed as the gateway sends it. */
 async function coreBytes(lab: Lab): Promise<{ plain: number; packed: number }> {
   const index = await (await fetch(lab.address())).text();
   const core = /data-core="([^"]+)"/.exec(index)![1]!;

@@ -1,4 +1,4 @@
-// Measures the web door: the round trip of short calls that follow each other on one socket, and
+// Measures the web gateway: the round trip of short calls that follow each other on one socket, and
 // the throughput of an export; in plain text and with TLS.
 //
 //   web_bench [VERTICES [FILE]]
@@ -59,7 +59,7 @@ std::pair<double, double> timed_export(WebClient& client) {
 
 WebFigures measure(const std::string& address, const std::string& ca) {
   WebClient client(address, {.ca = ca});
-  BURNISH_CHECK(client.is_open(), "the door does not open");
+  BURNISH_CHECK(client.is_open(), "the gateway does not open");
   std::vector<double> times;
   for (int i = 0; i < kCalls + kCallsToWarmUp; ++i) {
     const double ms = milliseconds([&] {
@@ -76,8 +76,8 @@ WebFigures measure(const std::string& address, const std::string& ca) {
   return figures;
 }
 
-nlohmann::ordered_json run_door(const char* name, std::vector<std::string> flags,
-                                const std::string& ca, const std::string& scan) {
+nlohmann::ordered_json run_gateway(const char* name, std::vector<std::string> flags,
+                                   const std::string& ca, const std::string& scan) {
   flags.insert(flags.end(), {"--web", "127.0.0.1:0", "--socket"});
   const TemporaryFolder folder;
   flags.push_back((folder / "s").string());
@@ -93,7 +93,7 @@ nlohmann::ordered_json run_door(const char* name, std::vector<std::string> flags
   std::printf("%-6s %8.2f %8.2f %8.0f\n", name, figures.p50_ms, figures.p95_ms,
               figures.megabytes_per_s);
   std::fflush(stdout);
-  return {{"door", name},
+  return {{"gateway", name},
           {"call_p50_ms", figures.p50_ms},
           {"call_p95_ms", figures.p95_ms},
           {"export_mb_per_s", figures.megabytes_per_s}};
@@ -112,11 +112,11 @@ int main_of(int argc, char** argv) {
   const auto key = folder.write("server.key", issued.key);
   std::filesystem::permissions(key, std::filesystem::perms(0600));
 
-  std::printf("%-6s %8s %8s %8s\n", "door", "p50, ms", "p95, ms", "MB/s");
+  std::printf("%-6s %8s %8s %8s\n", "gateway", "p50, ms", "p95, ms", "MB/s");
   const nlohmann::ordered_json rows = {
-      run_door("plain", {}, "", scan.string()),
-      run_door("TLS", {"--tls-certificate", certificate, "--tls-key", key.string()},
-               ca.certificate(), scan.string())};
+      run_gateway("plain", {}, "", scan.string()),
+      run_gateway("TLS", {"--tls-certificate", certificate, "--tls-key", key.string()},
+                  ca.certificate(), scan.string())};
   if (argc > 2) std::ofstream(argv[2]) << rows.dump(1) << "\n";
   return 0;
 }

@@ -61,7 +61,7 @@ bool read_fuzzed_hierarchy(std::span<const uint8_t> bytes);
 /// A refused frame must not change the decoder's state.
 bool read_page_frames(std::span<const uint8_t> bytes);
 
-/// Frames of a client of the web door. Each begins with a byte for its kind and two bytes of
+/// Frames of a client of the web gateway. Each begins with a byte for its kind and two bytes of
 /// length, low first:
 ///   0  a text frame;
 ///   1  a binary frame;
@@ -69,7 +69,7 @@ bool read_page_frames(std::span<const uint8_t> bytes);
 ///   3  the call's end, if one runs, without bytes.
 bool read_web_frames(std::span<const uint8_t> bytes);
 
-/// The headers Host and Origin of a request to the web door, a line each.
+/// The headers Host and Origin of a request to the web gateway, a line each.
 bool read_web_request(std::span<const uint8_t> bytes);
 
 }  // namespace burnish

@@ -13,7 +13,7 @@ namespace {
 
 constexpr size_t kCloseReasonBytesMax = 123;  // RFC 6455, section 5.5
 
-/// Holds each order to what the door relies on.
+/// Holds each order to what the gateway relies on.
 struct OrderCheck {
   bool was_calling;
   bool is_calling;

@@ -81,7 +81,7 @@ class Churn : public testing::Test {
     metrics_port_ = std::stoi(server_.announced("metrics on port "));
   }
 
-  /// Connects, sends some messages, and leaves without a farewell.
+  /// Connects, sends some messages, and leaves without a go_away.
   void come_and_go(int manner) {
     if (manner >= 8) return drop_call(manner);
     LiveStream stream(wire_channel(server_.address), "ann");

@@ -195,13 +195,13 @@ TEST_F(FleetOfLongLeases, ADrainingServerNamesTheOneThatTakesItsSessionAtOnce) {
   stream.slide("before", 2);
   stream.next(v1::ServerMessage::kAcknowledged);
   one().process->signal(SIGTERM);
-  const v1::GoAway farewell = stream.next(v1::ServerMessage::kGoAway).go_away();
+  const v1::GoAway go_away = stream.next(v1::ServerMessage::kGoAway).go_away();
   one().process->signal(SIGSTOP);  // it does not come to its end
-  EXPECT_EQ(farewell.code(), v1::GO_AWAY_CODE_GOING_DOWN);
-  EXPECT_TRUE(farewell.come_back());
-  ASSERT_EQ(farewell.moved().address(), two().address);
-  EXPECT_EQ(farewell.moved().node(), "two");
-  Connection connection = Connection::open(farewell.moved().address(), kPatience).value();
+  EXPECT_EQ(go_away.code(), v1::GO_AWAY_CODE_GOING_DOWN);
+  EXPECT_TRUE(go_away.come_back());
+  ASSERT_EQ(go_away.moved().address(), two().address);
+  EXPECT_EQ(go_away.moved().node(), "two");
+  Connection connection = Connection::open(go_away.moved().address(), kPatience).value();
   const Edit edit{"after", SetGradientScale{3}};
   const auto applied = connection.apply("work", {&edit, 1});
   EXPECT_TRUE(applied.is_ok()) << applied.status().message();

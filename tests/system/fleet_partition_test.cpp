@@ -106,11 +106,11 @@ TEST_F(FleetPartition, ItsClientsAreSentAwayBeforeAnybodyElseCanHaveTheSession) 
   way_.stall(true);
   stream.slide("b", 2);
   stream.seen.clear();
-  const v1::GoAway farewell = stream.next(v1::ServerMessage::kGoAway).go_away();
+  const v1::GoAway go_away = stream.next(v1::ServerMessage::kGoAway).go_away();
   EXPECT_EQ(owner(), "one");
-  EXPECT_EQ(farewell.code(), v1::GO_AWAY_CODE_NOT_OWNER);
-  EXPECT_TRUE(farewell.come_back());
-  EXPECT_THAT(farewell.reason(), testing::HasSubstr("does not reach the database"));
+  EXPECT_EQ(go_away.code(), v1::GO_AWAY_CODE_NOT_OWNER);
+  EXPECT_TRUE(go_away.come_back());
+  EXPECT_THAT(go_away.reason(), testing::HasSubstr("does not reach the database"));
   for (const v1::ServerMessage& message : stream.seen)
     EXPECT_FALSE(message.has_acknowledged() || message.has_refused()) << message.DebugString();
   EXPECT_EQ(slide(*one_, "late").code(), StatusCode::kUnavailable);

@@ -1,4 +1,4 @@
-// Calls through the web door: the same answers as over gRPC.
+// Calls through the web gateway: the same answers as over gRPC.
 
 #include <thread>
 

@@ -25,7 +25,7 @@ struct WebClientOptions {
   int receive_buffer_bytes = 0;  ///< of the kernel; 0: its default
 };
 
-/// A client of the web door. Its functions wait.
+/// A client of the web gateway. Its functions wait.
 class WebClient {
  public:
   struct Frame {
@@ -44,7 +44,7 @@ class WebClient {
   bool send_message(const std::string& bytes);
   bool send_part(const std::string& bytes);  ///< of a message that goes on
 
-  /// Returns the next frame; nothing once the door has closed the socket.
+  /// Returns the next frame; nothing once the gateway has closed the socket.
   std::optional<Frame> read();
 
   int close_code() const;  ///< after read() returned nothing; 0 without a close frame
@@ -60,8 +60,8 @@ class WebClient {
   std::unique_ptr<State> state_;
 };
 
-/// Makes a call over the socket, as call() does over a channel. Where the door has no answer, the
-/// status is UNKNOWN.
+/// Makes a call over the socket, as call() does over a channel. Where the gateway has no answer,
+/// the status is UNKNOWN.
 WireAnswer call(WebClient& client, const WireCall& wire);
 
 /// Returns the text frame that begins a call.
@@ -70,10 +70,10 @@ std::string begin_of(const std::string& method, const std::string& token = {});
 /// Reads to the end of the call that runs. Adds its messages to the answer.
 WireAnswer read_to_end(WebClient& client);
 
-/// Returns HOST:PORT of the server's web door. Needs: its flags have --web.
+/// Returns HOST:PORT of the server's web gateway. Needs: its flags have --web.
 std::string web_address(const ServerProcess& server);
 
-/// Asks for a WebSocket in plain text and returns the status of HTTP: 101 if the door opens it.
+/// Asks for a WebSocket in plain text and returns the status of HTTP: 101 if the gateway opens it.
 int upgrade_status(const std::string& address, const WebClientOptions& options);
 
 /// Sends `request` as it is to HOST:PORT and returns all until the server closes or `enough` bytes

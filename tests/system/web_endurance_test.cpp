@@ -1,4 +1,4 @@
-// The web door under load, at its end, and after a kill.
+// The web gateway under load, at its end, and after a kill.
 // BURNISH_WEB_SOCKETS=N lets N sockets come and go instead of 1000.
 
 #include <algorithm>
@@ -153,7 +153,7 @@ TEST_F(WebEndurance, ReadersThatStallCostLittleMemoryAndHoldUpNobody) {
   EXPECT_LT(bytes, 64 * kMiB);
 }
 
-TEST_F(WebEndurance, ConnectionsOfBothDoorsCountTogether) {
+TEST_F(WebEndurance, ConnectionsOfBothWaysInCountTogether) {
   server_.kill();
   server_.flags.insert(
       server_.flags.end(),

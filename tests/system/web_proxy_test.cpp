@@ -1,4 +1,4 @@
-// deploy/haproxy.cfg before the web door: TLS ends at the proxy, WebSockets pass.
+// deploy/haproxy.cfg before the web gateway: TLS ends at the proxy, WebSockets pass.
 
 #include <fstream>
 #include <regex>
@@ -30,7 +30,7 @@ std::string free_port() {
 
 /// The installed configuration with other places of files and sockets.
 std::string proxy_config(const TemporaryFolder& folder, const std::string& port,
-                         const std::string& door) {
+                         const std::string& gateway) {
   std::ostringstream text;
   text << std::ifstream(SOURCE_ROOT "/deploy/haproxy.cfg").rdbuf();
   const std::string certificate = (folder / "proxy.pem").string();
@@ -39,7 +39,7 @@ std::string proxy_config(const TemporaryFolder& folder, const std::string& port,
                     "  bind unix@" + (folder / "grpc.sock").string() + " ssl crt " + certificate);
   config = replaced(config, "^  bind :7443 ssl crt \\S+",
                     "  bind 127.0.0.1:" + port + " ssl crt " + certificate);
-  return replaced(config, "^  server door \\S+", "  server door " + door);
+  return replaced(config, "^  server gateway \\S+", "  server gateway " + gateway);
 }
 
 TEST(WebProxy, PagesAndSocketsPass) {

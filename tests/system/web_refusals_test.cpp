@@ -1,4 +1,4 @@
-// The web door and strangers: foreign pages, rebound names, wrong tokens, broken requests.
+// The web gateway and strangers: foreign pages, rebound names, wrong tokens, broken requests.
 
 #include <fstream>
 
@@ -41,7 +41,7 @@ std::string user_entry(const std::string& name, const std::string& role) {
          to_hex(std::as_bytes(std::span(hash))) + "\"\n";
 }
 
-/// A server with a door that knows vera (viewer) and eddy (editor) by "NAME-secret".
+/// A server with a gateway that knows vera (viewer) and eddy (editor) by "NAME-secret".
 class WebRefusals : public testing::Test {
  protected:
   WebRefusals()
@@ -185,11 +185,11 @@ TEST_F(WebRefusals, AnotherUsersNameIsRefused) {
   EXPECT_EQ(status.error_code(), grpc::StatusCode::PERMISSION_DENIED);
 }
 
-TEST_F(WebRefusals, TheMarksOfTheDoorCannotBeForgedOverGrpc) {
+TEST_F(WebRefusals, TheMarksOfTheGatewayCannotBeForgedOverGrpc) {
   grpc::ClientContext context;
-  context.AddMetadata("burnish-door-secret", "guess");
-  context.AddMetadata("burnish-door-peer", "ipv4:192.0.2.1:1");
-  context.AddMetadata("burnish-door-certificate-bin", "carl");
+  context.AddMetadata("burnish-gateway-secret", "guess");
+  context.AddMetadata("burnish-gateway-peer", "ipv4:192.0.2.1:1");
+  context.AddMetadata("burnish-gateway-certificate-bin", "carl");
   context.AddMetadata("burnish-certificate", "carl");
   const auto library = v1::Library::NewStub(wire_channel(server_.address));
   v1::ListScansResponse scans;
@@ -237,7 +237,7 @@ TEST(WebExposure, PlainTextBeyondThisMachineIsRefusedUnlessSaidSo) {
   EXPECT_THAT(refused.output(), HasSubstr("web.listen = '0.0.0.0:0' is reachable"));
 }
 
-TEST(WebExposure, WithoutItsFlagThereIsNoDoor) {
+TEST(WebExposure, WithoutItsFlagThereIsNoGateway) {
   const ServerProcess server;
   EXPECT_THAT(server.process->output(), Not(HasSubstr("web on")));
 }

@@ -1,4 +1,4 @@
-// The web door with TLS: the same certificates as gRPC.
+// The web gateway with TLS: the same certificates as gRPC.
 
 #include <csignal>
 

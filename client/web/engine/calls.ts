@@ -1,7 +1,7 @@
 // Calls of the core over WebSockets, as docs/web.md says: one socket for Edit, up to four for the others. A socket
 // carries calls one after the other.
 
-import { Heard, type CallEnd, type CallEvents, type Carrier, type Who } from "./heard";
+import { Heard, type CallEnd, type CallEvents, type Transport, type Who } from "./heard";
 
 const kSubprotocol = "burnish.v1";
 const kOthersMax = 4;
@@ -32,7 +32,7 @@ interface CallSocket {
 
 const kNoDetails = new Uint8Array();
 
-export class Calls implements Carrier {
+export class Calls implements Transport {
   /** Those that have not ended. */
   private readonly calls = new Map<number, Call>();
   private readonly heard: Heard;

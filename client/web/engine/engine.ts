@@ -7,7 +7,7 @@ import type { CoreExports } from "./core_exports";
 import { beginDrawing } from "./drawing";
 import { Entries } from "./entries";
 import { Files } from "./files";
-import type { CallEvents, Carrier } from "./heard";
+import type { CallEvents, Transport } from "./heard";
 import { Images } from "./images";
 import { CoreMemory } from "./memory";
 import { Pictures } from "./pictures";
@@ -34,7 +34,7 @@ class Engine {
   private readonly images = new Images(this.memory, (image, rgba) =>
     this.entries.soon(() => this.handImage(image, rgba)),
   );
-  private readonly calls: Carrier;
+  private readonly calls: Transport;
   private readonly canvas: OffscreenCanvas;
   /** Of the next picture: a canvas of another size is empty, so both come together. */
   private resized: ResizeMessage | null = null;
@@ -46,13 +46,13 @@ class Engine {
 
   constructor(private readonly start: StartMessage) {
     this.canvas = start.canvas;
-    this.calls = this.carrier();
+    this.calls = this.transport();
     this.calls.setWho(start);
     this.store.fill(start.kept);
   }
 
   /** Returns what carries the core's calls: to the server of the page, or to the files of a publication. */
-  private carrier(): Carrier {
+  private transport(): Transport {
     const { address, publication } = this.start;
     const events: CallEvents = {
       message: (call, bytes) =>

@@ -14,7 +14,7 @@ export interface CallEnd {
 }
 
 /** Whoever carries the core's calls: sockets to a server, or the files of a publication. */
-export interface Carrier {
+export interface Transport {
   setWho(who: Who): void;
   /** Begins a call. `node`: the server of a fleet that it is for; empty: any. */
   open(method: string, node?: string): number;

@@ -21,7 +21,7 @@ Proof proof_of(const grpc::CallbackServerContext& context, const grpc::AuthConte
   Proof proof;
   const auto header = context.client_metadata().find("authorization");
   if (header != context.client_metadata().end()) proof.authorization = view(header->second);
-  proof.certificate_common_name = door_certificate_of(context);
+  proof.certificate_common_name = gateway_certificate_of(context);
   const auto names = connection.FindPropertyValues(GRPC_X509_CN_PROPERTY_NAME);
   if (!names.empty()) proof.certificate_common_name = view(names.front());
   return proof;

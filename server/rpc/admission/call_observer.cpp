@@ -15,7 +15,7 @@
 #include "server/process/log_context.h"
 #include "server/trust/role.h"
 #include "server/trust/secret.h"
-#include "server/web/door_mark.h"
+#include "server/web/gateway_mark.h"
 
 namespace burnish {
 namespace {
@@ -66,10 +66,10 @@ std::string_view value_in(const Metadata& metadata, const char* key) {
 class CallObserver final : public grpc::experimental::Interceptor {
  public:
   CallObserver(ServerRpcInfo& info, std::shared_ptr<CallCounts> counts,
-               std::shared_ptr<const std::string> door_secret)
+               std::shared_ptr<const std::string> gateway_secret)
       : info_(info),
         counts_(std::move(counts)),
-        door_secret_(std::move(door_secret)),
+        gateway_secret_(std::move(gateway_secret)),
         method_(info.method()),
         is_ours_(method_.starts_with("/burnish.")),
         takes_bytes_(std::ranges::count(kCallsOfBytes, method_) > 0),
@@ -111,12 +111,12 @@ class CallObserver final : public grpc::experimental::Interceptor {
   }
 
   void stamp(Metadata& metadata) {
-    if (is_same_secret(value_in(metadata, kDoorSecretKey), *door_secret_)) {
-      peer_ = value_in(metadata, kDoorPeerKey);
-      certificate_ = value_in(metadata, kDoorCertificateKey);
+    if (is_same_secret(value_in(metadata, kGatewaySecretKey), *gateway_secret_)) {
+      peer_ = value_in(metadata, kGatewayPeerKey);
+      certificate_ = value_in(metadata, kGatewayCertificateKey);
     }
-    for (const char* key : {kMethodKey, kRequestIdKey, kPeerKey, kCertificateKey, kDoorSecretKey,
-                            kDoorPeerKey, kDoorCertificateKey})
+    for (const char* key : {kMethodKey, kRequestIdKey, kPeerKey, kCertificateKey, kGatewaySecretKey,
+                            kGatewayPeerKey, kGatewayCertificateKey})
       metadata.erase(key);
     metadata.emplace(kMethodKey, method_);
     metadata.emplace(kRequestIdKey, request_id_);
@@ -182,7 +182,7 @@ class CallObserver final : public grpc::experimental::Interceptor {
 
   ServerRpcInfo& info_;
   const std::shared_ptr<CallCounts> counts_;
-  const std::shared_ptr<const std::string> door_secret_;
+  const std::shared_ptr<const std::string> gateway_secret_;
   const std::string method_;
   const bool is_ours_;
   const bool takes_bytes_;
@@ -203,7 +203,7 @@ class CallObserver final : public grpc::experimental::Interceptor {
 
 grpc::experimental::Interceptor* CallObserverFactory::CreateServerInterceptor(ServerRpcInfo* info) {
   if (!is_open_to_all(info->method())) on_call_(info->server_context()->peer());
-  return new CallObserver(*info, counts_, door_secret_);
+  return new CallObserver(*info, counts_, gateway_secret_);
 }
 
 std::string method_of(const grpc::CallbackServerContext& context) {
@@ -218,7 +218,7 @@ std::string peer_of(const grpc::CallbackServerContext& context) {
   return std::string(value_in(context.client_metadata(), kPeerKey));
 }
 
-std::string_view door_certificate_of(const grpc::CallbackServerContext& context) {
+std::string_view gateway_certificate_of(const grpc::CallbackServerContext& context) {
   return value_in(context.client_metadata(), kCertificateKey);
 }
 

@@ -26,11 +26,11 @@ class CallObserverFactory final : public grpc::experimental::ServerInterceptorFa
  public:
   /// `on_call` gets the peer of each call that is not open to all, e.g. "ipv4:127.0.0.1:5000".
   /// Calls that have the web
-  /// door's secret have the peer and the certificate that the door tells.
-  CallObserverFactory(std::shared_ptr<CallCounts> counts, std::string door_secret,
+  /// gateway's secret have the peer and the certificate that the gateway tells.
+  CallObserverFactory(std::shared_ptr<CallCounts> counts, std::string gateway_secret,
                       std::function<void(const std::string& peer)> on_call)
       : counts_(std::move(counts)),
-        door_secret_(std::make_shared<const std::string>(std::move(door_secret))),
+        gateway_secret_(std::make_shared<const std::string>(std::move(gateway_secret))),
         on_call_(std::move(on_call)) {}
 
   grpc::experimental::Interceptor* CreateServerInterceptor(
@@ -38,7 +38,7 @@ class CallObserverFactory final : public grpc::experimental::ServerInterceptorFa
 
  private:
   const std::shared_ptr<CallCounts> counts_;
-  const std::shared_ptr<const std::string> door_secret_;
+  const std::shared_ptr<const std::string> gateway_secret_;
   const std::function<void(const std::string& peer)> on_call_;
 };
 
@@ -48,8 +48,8 @@ std::string method_of(const grpc::CallbackServerContext& context);
 std::string request_id_of(const grpc::CallbackServerContext& context);
 std::string peer_of(const grpc::CallbackServerContext& context);
 
-/// Returns the common name that the web door has verified; empty for none, and without the door.
-/// The text lives as long as the call.
-std::string_view door_certificate_of(const grpc::CallbackServerContext& context);
+/// Returns the common name that the web gateway has verified; empty for none, and without the
+/// gateway. The text lives as long as the call.
+std::string_view gateway_certificate_of(const grpc::CallbackServerContext& context);
 
 }  // namespace burnish

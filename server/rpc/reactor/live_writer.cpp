@@ -43,8 +43,8 @@ void LiveWriter::unless_finished(const std::function<void()>& start) {
 }
 
 static void hide_paths(ServerMessage& message) {
-  if (auto* farewell = std::get_if<Farewell>(&message))
-    farewell->reason = text_for_client(farewell->reason);
+  if (auto* go_away = std::get_if<GoAway>(&message))
+    go_away->reason = text_for_client(go_away->reason);
   if (auto* answer = std::get_if<EditsRefused>(&message))
     answer->status = {answer->status.code(), text_for_client(answer->status.message())};
 }

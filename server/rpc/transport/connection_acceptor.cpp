@@ -34,7 +34,7 @@ uint64_t socket_inode(int fd) {
 }  // namespace
 
 void ConnectionAcceptor::add(ListeningSocket socket, Receiver receiver, Silence silence) {
-  doors_.push_back({std::move(socket), std::move(receiver), silence});
+  listeners_.push_back({std::move(socket), std::move(receiver), silence});
 }
 
 void ConnectionAcceptor::start() {
@@ -48,26 +48,26 @@ void ConnectionAcceptor::stop() {
   (void)!write(wake_, &one, sizeof(one));
   thread_.join();
   close(wake_);
-  for (Door& door : doors_) door.socket.close();
+  for (Listener& listener : listeners_) listener.socket.close();
 }
 
 void ConnectionAcceptor::run() {
   std::vector<pollfd> waits = {{wake_, POLLIN, 0}};
-  for (const Door& door : doors_) waits.push_back({door.socket.fd(), POLLIN, 0});
+  for (const Listener& listener : listeners_) waits.push_back({listener.socket.fd(), POLLIN, 0});
   for (;;) {
     const int ready = poll(waits.data(), waits.size(), has_unknown() ? kSweepMs : -1);
     if (waits[0].revents != 0) return;
-    for (size_t i = 0; ready > 0 && i < doors_.size(); ++i)
-      if (waits[i + 1].revents != 0) accept_from(doors_[i]);
+    for (size_t i = 0; ready > 0 && i < listeners_.size(); ++i)
+      if (waits[i + 1].revents != 0) accept_from(listeners_[i]);
     close_silent();
   }
 }
 
-void ConnectionAcceptor::accept_from(Door& door) {
-  const int fd = accept4(door.socket.fd(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
+void ConnectionAcceptor::accept_from(Listener& listener) {
+  const int fd = accept4(listener.socket.fd(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
   if (fd < 0) {
     if (errno == EAGAIN || errno == EINTR || errno == ECONNABORTED) return;
-    spdlog::error("cannot accept connections on {}: {}", door.socket.address(),
+    spdlog::error("cannot accept connections on {}: {}", listener.socket.address(),
                   std::strerror(errno));
     std::this_thread::sleep_for(std::chrono::milliseconds(100));  // out of descriptors or memory
     return;
@@ -81,15 +81,15 @@ void ConnectionAcceptor::accept_from(Door& door) {
     close(fd);
     return;
   }
-  spdlog::debug("connection of {} to {}", peer.name, door.socket.address());
+  spdlog::debug("connection of {} to {}", peer.name, listener.socket.address());
   const int on = 1;
   setsockopt(fd, IPPROTO_TCP, TCP_NODELAY, &on, sizeof(on));
   {
     const std::lock_guard lock(mutex_);
     connections_[peer.name] = {
-        fd, socket_inode(fd), peer.host, steady_clock::now(), peer.host.empty(), door.silence};
+        fd, socket_inode(fd), peer.host, steady_clock::now(), peer.host.empty(), listener.silence};
   }
-  door.receiver(door.socket.fd(), fd, peer.name);
+  listener.receiver(listener.socket.fd(), fd, peer.name);
 }
 
 size_t ConnectionAcceptor::open_connections() {

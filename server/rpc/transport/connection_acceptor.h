@@ -19,7 +19,7 @@ struct ConnectionLimits {
   std::chrono::seconds silence_max{30};  ///< until a call of the connection is admitted
 };
 
-/// Accepts connections and hands them to gRPC and the web door, up to limits that both share.
+/// Accepts connections and hands them to gRPC and the web gateway, up to limits that both share.
 /// gRPC 1.51 has no such limits, and stops listening for good when the process runs out of file
 /// descriptors. Closes a TCP connection if no call of it is admitted for `silence_max`. Where all
 /// places are taken, a new connection gets that of the oldest without an admitted call: strangers
@@ -53,7 +53,7 @@ class ConnectionAcceptor {
   void note_call(const std::string& peer);
 
  private:
-  struct Door {
+  struct Listener {
     ListeningSocket socket;
     Receiver receiver;
     Silence silence;
@@ -73,7 +73,7 @@ class ConnectionAcceptor {
   using Connections = std::unordered_map<std::string, Connection>;  // by peer
 
   void run();
-  void accept_from(Door& door);
+  void accept_from(Listener& listener);
   std::string refusal(const std::string& host);
   void make_room();
   void forget_closed();
@@ -81,7 +81,7 @@ class ConnectionAcceptor {
   bool has_unknown();
 
   const ConnectionLimits limits_;
-  std::vector<Door> doors_;
+  std::vector<Listener> listeners_;
   std::mutex mutex_;  // guards connections_ and leaving_
   Connections connections_;
   std::vector<Connection> leaving_;  // had to make room; their receivers have yet to close them

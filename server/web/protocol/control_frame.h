@@ -9,7 +9,8 @@
 
 namespace burnish {
 
-/// The text frames of the subprotocol burnish.v1: JSON objects of a client, and the door's answer.
+/// The text frames of the subprotocol burnish.v1: JSON objects of a client, and the gateway's
+/// answer.
 
 /// {"call": "burnish.v1.Editing/Edit", "token": "...", "user": "anna"}: begins a call.
 struct CallFrame {

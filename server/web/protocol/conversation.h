@@ -10,14 +10,14 @@
 
 namespace burnish {
 
-/// The codes of WebSocket's close frames that the door sends (RFC 6455, section 7.4).
+/// The codes of WebSocket's close frames that the gateway sends (RFC 6455, section 7.4).
 enum class CloseCode : uint16_t {
   kGoingAway = 1001,
   kProtocolError = 1002,
   kTooBig = 1009,
 };
 
-/// Orders to the door. Each frame of a client gives one.
+/// Orders to the gateway. Each frame of a client gives one.
 struct StartCall {
   CallFrame call;
 };
@@ -56,7 +56,7 @@ class Conversation {
     kFresh,      // no call yet
     kOpen,       // the client may send
     kHalf,       // the client has said that it sends nothing more
-    kCancelled,  // the door waits for the call's end
+    kCancelled,  // the gateway waits for the call's end
     kBetween,    // a call has ended; late frames of it may come
   };
 

@@ -8,8 +8,8 @@
 
 namespace burnish {
 
-/// Which requests of browsers the door takes. A page of another origin must not reach a server in
-/// the user's own network with the user's rights.
+/// Which requests of browsers the gateway takes. A page of another origin must not reach a server
+/// in the user's own network with the user's rights.
 struct RequestRules {
   std::vector<std::string> hosts;  ///< web.hosts, and the host of web.listen
   bool is_tls = false;

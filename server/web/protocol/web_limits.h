@@ -5,7 +5,7 @@
 
 namespace burnish {
 
-/// Limits of the web door. docs/web.md lists them for writers of clients.
+/// Limits of the web gateway. docs/web.md lists them for writers of clients.
 inline constexpr size_t kWebMessageBytesMax = size_t{16} << 20;  // of a binary frame, as for gRPC
 inline constexpr size_t kWebOpenMessageBytesMax = 512;  // of a call that is open to strangers
 inline constexpr size_t kWebUnfinishedBytesMax = size_t{128} << 20;  // of all sockets together

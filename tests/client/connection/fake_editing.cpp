@@ -22,7 +22,7 @@ struct FakeEditing::Client {
   uint64_t shown_version = 0;
   uint64_t client_time_us = 0;
   uint64_t previews = 0;
-  uint64_t farewells = 0;
+  uint64_t go_aways = 0;
   bool silenced = false;  // it met a silent server: what it said was lost
   bool gone = false;
 };
@@ -81,10 +81,10 @@ void FakeEditing::send(PageFrameKind kind) {
 
 void FakeEditing::go_away(const std::string& reason, bool come_back, v1::GoAwayCode code) {
   const std::lock_guard lock(mutex_);
-  farewell_.set_code(code);
-  farewell_.set_reason(reason);
-  farewell_.set_come_back(come_back);
-  ++farewells_;
+  go_away_.set_code(code);
+  go_away_.set_reason(reason);
+  go_away_.set_come_back(come_back);
+  ++go_aways_;
   changed_.notify_all();
 }
 
@@ -233,7 +233,7 @@ grpc::Status FakeEditing::Edit(grpc::ServerContext* context, Stream* stream) {
   if (faults_.refuse_greeting != grpc::StatusCode::OK)
     return {faults_.refuse_greeting, "go elsewhere"};
   Client client(sampler_.kind());
-  client.farewells = farewells_;
+  client.go_aways = go_aways_;
   contexts_.push_back(context);
   std::thread reader([&] {
     v1::ClientMessage message;
@@ -246,12 +246,12 @@ grpc::Status FakeEditing::Edit(grpc::ServerContext* context, Stream* stream) {
     client.gone = true;
     changed_.notify_all();
   });
-  bool said_farewell = false;
-  while (!client.gone && !stopping_ && !said_farewell) {
-    if (client.farewells != farewells_) {
+  bool said_go_away = false;
+  while (!client.gone && !stopping_ && !said_go_away) {
+    if (client.go_aways != go_aways_) {
       client.outgoing.emplace_back();
-      *client.outgoing.back().mutable_go_away() = farewell_;
-      said_farewell = true;
+      *client.outgoing.back().mutable_go_away() = go_away_;
+      said_go_away = true;
     }
     if (client.outgoing.empty() && !make_frame(client)) {
       changed_.wait(lock);

@@ -61,7 +61,7 @@ class FakeEditing final : public v1::Editing::Service {
   void show(double phase);
   /// Makes frames of this kind for all clients from now on.
   void send(PageFrameKind kind);
-  /// Ends the streams with a farewell.
+  /// Ends the streams with a go_away.
   void go_away(const std::string& reason, bool come_back,
                v1::GoAwayCode code = v1::GO_AWAY_CODE_UNSPECIFIED);
 
@@ -88,8 +88,8 @@ class FakeEditing final : public v1::Editing::Service {
   Faults faults_;
   Seen seen_;
   std::vector<grpc::ServerContext*> contexts_;
-  v1::GoAway farewell_;
-  uint64_t farewells_ = 0;
+  v1::GoAway go_away_;
+  uint64_t go_aways_ = 0;
   bool stopping_ = false;
   int port_ = 0;
   std::unique_ptr<grpc::Server> server_;

@@ -275,7 +275,7 @@ TEST_F(LiveSessions, ComeBackWhenTheServerSaysSoAndEndWhenItDoesNot) {
   EXPECT_EQ(session_->apply(slider("a")).code(), StatusCode::kFailedPrecondition);
 }
 
-TEST_F(LiveSessions, CountRefusedPagesWhenTheFarewellSaysSoAlone) {
+TEST_F(LiveSessions, CountRefusedPagesWhenTheGoAwaySaysSoAlone) {
   connect();
   ASSERT_TRUE(until_live());
   server_.go_away("restarting", true, v1::GO_AWAY_CODE_GOING_DOWN);

@@ -222,15 +222,15 @@ TEST_F(Conversations, TheWaitForAnotherStreamGrowsUpToItsLimit) {
   EXPECT_LE(longest, milliseconds(3000));
 }
 
-TEST_F(Conversations, AFarewellSaysWhetherToComeBack) {
+TEST_F(Conversations, AGoAwaySaysWhetherToComeBack) {
   talk_.begin();
   hear(welcome());
-  hear(Farewell{FarewellCode::kGoingDown, "the server ends", true});
+  hear(GoAway{GoAwayCode::kGoingDown, "the server ends", true});
   EXPECT_TRUE(talk_.must_leave());
   EXPECT_TRUE(talk_.end(Status::ok()));
   talk_.begin();
   hear(welcome());
-  hear(Farewell{FarewellCode::kClosed, "the session was deleted", false});
+  hear(GoAway{GoAwayCode::kClosed, "the session was deleted", false});
   EXPECT_TRUE(talk_.must_leave());
   EXPECT_FALSE(talk_.end(Status::ok()));
   EXPECT_EQ(talk_.take().link, LinkState::kEnded);
@@ -273,27 +273,26 @@ TEST_F(Conversations, AServerWithoutTheSessionIsLeftForAnotherOfTheFleet) {
   Welcome greeted = welcome();
   greeted.fleet = {"scanner:7411", "two:7411"};
   const char* next = "two:7411";
-  for (const auto code : {FarewellCode::kGoingDown, FarewellCode::kNotOwner}) {
+  for (const auto code : {GoAwayCode::kGoingDown, GoAwayCode::kNotOwner}) {
     talk_.begin();
     hear(greeted);
-    hear(Farewell{code, "the server ends", true});
+    hear(GoAway{code, "the server ends", true});
     EXPECT_TRUE(talk_.end(Status::ok()));
     EXPECT_EQ(route_->address(), std::exchange(next, "scanner:7411"));
   }
   talk_.begin();
   hear(greeted);
-  hear(Farewell{FarewellCode::kNotOwner, "no database", true, std::nullopt, {"three:7411"}});
+  hear(GoAway{GoAwayCode::kNotOwner, "no database", true, std::nullopt, {"three:7411"}});
   EXPECT_TRUE(talk_.end(Status::ok()));
   EXPECT_EQ(route_->address(), "three:7411") << "it has joined the fleet since";
 }
 
-TEST_F(Conversations, AFarewellThatNamesAnotherServerLeadsThereAtOnceWithTheEdits) {
+TEST_F(Conversations, AGoAwayThatNamesAnotherServerLeadsThereAtOnceWithTheEdits) {
   talk_.begin();
   hear(welcome());
   ASSERT_TRUE(talk_.apply(slider("one")).is_ok());
   say();
-  hear(Farewell{FarewellCode::kGoingDown, "the server ends", true,
-                ServerPlace{"three:7411", "three"}});
+  hear(GoAway{GoAwayCode::kGoingDown, "the server ends", true, ServerPlace{"three:7411", "three"}});
   EXPECT_TRUE(talk_.must_leave());
   const auto wait = talk_.end(Status::ok());
   ASSERT_TRUE(wait);

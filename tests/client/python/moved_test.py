@@ -17,8 +17,8 @@ from burnish.v1 import editing_pb2, editing_pb2_grpc, library_pb2, library_pb2_g
 class Server(editing_pb2_grpc.EditingServicer, library_pb2_grpc.LibraryServicer):
     """Sends callers elsewhere, or answers them. Notes the header of each call."""
 
-    def __init__(self, moved=None, farewells=()):
-        self.moved, self.nodes, self.farewells = moved, [], list(farewells)
+    def __init__(self, moved=None, go_aways=()):
+        self.moved, self.nodes, self.go_aways = moved, [], list(go_aways)
         self.on_call = lambda asked: None
         self.welcome, self.has_guest = editing_pb2.Welcome(), threading.Event()
         self._server = grpc.server(concurrent.futures.ThreadPoolExecutor(2))
@@ -43,11 +43,11 @@ class Server(editing_pb2_grpc.EditingServicer, library_pb2_grpc.LibraryServicer)
             session=editing_pb2.SessionInfo(id="0123456789abcdef", name=request.session))
 
     def Edit(self, requests, context):
-        """Welcomes a client, and says the next farewell; after the last one the client may stay."""
+        """Welcomes a client, and says the next GoAway; after the last one the client may stay."""
         self.nodes.append(dict(context.invocation_metadata()).get("x-burnish-node", ""))
         yield editing_pb2.ServerMessage(welcome=self.welcome)
-        if self.farewells:
-            yield editing_pb2.ServerMessage(go_away=self.farewells.pop(0))
+        if self.go_aways:
+            yield editing_pb2.ServerMessage(go_away=self.go_aways.pop(0))
         else:
             self.has_guest.set()
             context.add_callback(self.has_guest.clear)
@@ -99,17 +99,17 @@ class MovedTest(unittest.TestCase):
         self.assertEqual(edge.nodes, [""] + 5 * ["two"])
 
 
-class FarewellTest(unittest.TestCase):
-    """A live client of a server that says farewell. Others of its fleet let the client stay."""
+class GoAwayTest(unittest.TestCase):
+    """A live client of a server that says GoAway. Others of its fleet let the client stay."""
 
     def server(self, **facts):
         server = Server(**facts)
         self.addCleanup(server.close)
         return server
 
-    def expect_way(self, farewell, there):
-        """Fails unless the client greets `there` after one farewell of its server."""
-        one = self.server(farewells=[farewell])
+    def expect_way(self, go_away, there):
+        """Fails unless the client greets `there` after one GoAway of its server."""
+        one = self.server(go_aways=[go_away])
         one.welcome = editing_pb2.Welcome(fleet=[one.address, self.next.address])
         calls = Calls(one.address, Trust("ann"), patience=30)
         self.addCleanup(calls.close)
@@ -131,10 +131,10 @@ class FarewellTest(unittest.TestCase):
             self.next = self.server()
             self.expect_way(editing_pb2.GoAway(come_back=True, code=code), self.next)
 
-    def test_the_farewell_knows_the_servers_that_joined_the_fleet_later(self):
+    def test_the_go_away_knows_the_servers_that_joined_the_fleet_later(self):
         self.next, joined = self.server(), self.server()
-        farewell = editing_pb2.GoAway(come_back=True, code=LOST[0], fleet=[joined.address])
-        self.expect_way(farewell, joined)
+        go_away = editing_pb2.GoAway(come_back=True, code=LOST[0], fleet=[joined.address])
+        self.expect_way(go_away, joined)
 
 
 if __name__ == "__main__":

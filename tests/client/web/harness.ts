@@ -1,4 +1,4 @@
-// Serves the built page as the door does, and drives it in Chromium.
+// Serves the built page as the gateway does, and drives it in Chromium.
 
 import { readFileSync, readdirSync, statSync } from "node:fs";
 import { createServer, type Server } from "node:http";
@@ -10,7 +10,7 @@ import type { Snapshot } from "../../../client/web/page/src/snapshot";
 import { launchBrowser } from "./browser";
 import type { Order } from "./fake_engine";
 
-// As the door sends it (server/web).
+// As the gateway sends it (server/web).
 const kPolicy =
   "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; " +
   "img-src 'self' blob: data:; connect-src 'self'; worker-src 'self'; font-src 'self'; " +

@@ -105,25 +105,25 @@ TEST(LiveWire, EveryMessageOfTheServerComesBackUnchanged) {
                                                 {2, 0.5, 0.25}}});
   expect_unchanged<ServerMessage>(people);
   expect_unchanged<ServerMessage>(Heartbeat{123456789});
-  for (int code = 1; code <= static_cast<int>(FarewellCode::kNotOwner); ++code)
-    expect_unchanged<ServerMessage>(Farewell{
-        static_cast<FarewellCode>(code), "so", true, ServerPlace{"two:7411", "two"}, {"b:7411"}});
+  for (int code = 1; code <= static_cast<int>(GoAwayCode::kNotOwner); ++code)
+    expect_unchanged<ServerMessage>(GoAway{
+        static_cast<GoAwayCode>(code), "so", true, ServerPlace{"two:7411", "two"}, {"b:7411"}});
 }
 
-TEST(LiveWire, AFarewellNamesTheServerBehindAProxyOrNone) {
-  const auto place_after = [](const Farewell& farewell) {
-    return std::get<Farewell>(returned(farewell)).moved_to;
+TEST(LiveWire, AGoAwayNamesTheServerBehindAProxyOrNone) {
+  const auto place_after = [](const GoAway& go_away) {
+    return std::get<GoAway>(returned(go_away)).moved_to;
   };
   const ServerPlace behind_a_proxy{"", "two"};
-  EXPECT_EQ(place_after({FarewellCode::kGoingDown, "so", true, behind_a_proxy}), behind_a_proxy);
-  EXPECT_EQ(place_after({FarewellCode::kGoingDown, "so", true}), std::nullopt);
+  EXPECT_EQ(place_after({GoAwayCode::kGoingDown, "so", true, behind_a_proxy}), behind_a_proxy);
+  EXPECT_EQ(place_after({GoAwayCode::kGoingDown, "so", true}), std::nullopt);
 }
 
-TEST(LiveWire, ACodeOfANewerServersFarewellIsUnknown) {
+TEST(LiveWire, ACodeOfANewerServersGoAwayIsUnknown) {
   v1::ServerMessage message;
   message.mutable_go_away()->set_code(static_cast<v1::GoAwayCode>(99));
-  const auto farewell = std::get<Farewell>(from_wire(message).value().value());
-  EXPECT_EQ(farewell.code, FarewellCode::kUnknown);
+  const auto go_away = std::get<GoAway>(from_wire(message).value().value());
+  EXPECT_EQ(go_away.code, GoAwayCode::kUnknown);
 }
 
 TEST(LiveWire, ValuesArriveInTheirOwnFields) {

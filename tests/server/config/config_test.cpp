@@ -210,7 +210,7 @@ TEST(Config, ValuesOutsideTheirLimitsAreRefused) {
   EXPECT_THAT(validate(config).message(), HasSubstr("'loud'"));
 }
 
-TEST(Config, TheWebDoorIsHeldToTheSameExposure) {
+TEST(Config, TheWebGatewayIsHeldToTheSameExposure) {
   ServerConfig config;
   config.web_listen = "0.0.0.0:7443";
   EXPECT_THAT(validate(config).message(), HasSubstr("web.listen = '0.0.0.0:7443' is reachable"));

@@ -35,11 +35,11 @@ TEST_F(LiveMemory, PagesThatDoNotFitEndTheStreamAndSayWhy) {
   const Quota::Share rest = memory.take(kServer, memory.max() - memory.taken() - 10'000).value();
   ann.show_level(0);
   ann.run();
-  const auto farewells = ann.all<Farewell>();
-  ASSERT_EQ(farewells.size(), 1u);
-  EXPECT_THAT(farewells[0].reason, testing::ContainsRegex("needs [0-9]+ more"));
-  EXPECT_EQ(farewells[0].code, FarewellCode::kTooManyPages);
-  EXPECT_TRUE(farewells[0].come_back);
+  const auto go_aways = ann.all<GoAway>();
+  ASSERT_EQ(go_aways.size(), 1u);
+  EXPECT_THAT(go_aways[0].reason, testing::ContainsRegex("needs [0-9]+ more"));
+  EXPECT_EQ(go_aways[0].code, GoAwayCode::kTooManyPages);
+  EXPECT_TRUE(go_aways[0].come_back);
   bob.settle();
   EXPECT_FALSE(bob.finished);
 }

@@ -194,11 +194,11 @@ TEST_F(LivePages, ADamagedPageFileEndsTheStreamAndIsMadeAgain) {
   }
   ASSERT_TRUE(show(ann, {1, {0}, {}}).is_ok());
   ann.run();
-  const auto farewells = ann.all<Farewell>();
-  ASSERT_EQ(farewells.size(), 1u);
-  EXPECT_THAT(farewells[0].reason, HasSubstr("page 0"));
-  EXPECT_EQ(farewells[0].code, FarewellCode::kDamagedPages);
-  EXPECT_TRUE(farewells[0].come_back);
+  const auto go_aways = ann.all<GoAway>();
+  ASSERT_EQ(go_aways.size(), 1u);
+  EXPECT_THAT(go_aways[0].reason, HasSubstr("page 0"));
+  EXPECT_EQ(go_aways[0].code, GoAwayCode::kDamagedPages);
+  EXPECT_TRUE(go_aways[0].come_back);
   auto again = large();
   again.show({0});
   again.settle();

@@ -49,9 +49,9 @@ TEST_F(LivePeople, ClosedAndDeletedSessionsSendTheirClientsAway) {
   ann.run();
   // Earlier edits are still answered.
   EXPECT_EQ(ann.all<EditsAcknowledged>().size(), 1u);
-  EXPECT_EQ(ann.all<Farewell>()[0].reason, "the session was closed by ann");
-  EXPECT_EQ(ann.all<Farewell>()[0].code, FarewellCode::kClosed);
-  EXPECT_FALSE(ann.all<Farewell>()[0].come_back);
+  EXPECT_EQ(ann.all<GoAway>()[0].reason, "the session was closed by ann");
+  EXPECT_EQ(ann.all<GoAway>()[0].code, GoAwayCode::kClosed);
+  EXPECT_FALSE(ann.all<GoAway>()[0].come_back);
   EXPECT_TRUE(ann.finished);
   auto again = guest();  // while the first is still leaving
   ann.leave();
@@ -62,7 +62,7 @@ TEST_F(LivePeople, ClosedAndDeletedSessionsSendTheirClientsAway) {
   ASSERT_TRUE(manager_->remove("work", "ann", {}).is_ok());
   again.run();
   EXPECT_EQ(again.all<EditsRefused>().size(), 1u);
-  EXPECT_FALSE(again.all<Farewell>()[0].come_back);
+  EXPECT_FALSE(again.all<GoAway>()[0].come_back);
   EXPECT_TRUE(again.finished);
 }
 
@@ -70,8 +70,8 @@ TEST_F(LivePeople, ADrainingServerLetsNobodyIn) {
   auto ann = guest();
   live_->drain();
   ann.run();
-  EXPECT_EQ(ann.all<Farewell>()[0].code, FarewellCode::kGoingDown);
-  EXPECT_TRUE(ann.all<Farewell>()[0].come_back);
+  EXPECT_EQ(ann.all<GoAway>()[0].code, GoAwayCode::kGoingDown);
+  EXPECT_TRUE(ann.all<GoAway>()[0].come_back);
   ann.edit({{"late", SetGradientScale{0.5}}});
   ann.run();
   EXPECT_TRUE(ann.all<EditsAcknowledged>().empty());
@@ -83,7 +83,7 @@ TEST_F(LivePeople, ADrainingServerNamesTheOneThatTakesTheSession) {
   live_->drain(Successors({{{"two:7411", "two"}, 1}, {{"three:7411", "three"}, 2}}));
   for (LiveGuest* one : {&ann, &bob}) {
     one->run();
-    EXPECT_EQ(one->all<Farewell>()[0].moved_to, (ServerPlace{"three:7411", "three"}));
+    EXPECT_EQ(one->all<GoAway>()[0].moved_to, (ServerPlace{"three:7411", "three"}));
   }
 }
 
@@ -94,11 +94,11 @@ TEST_F(LivePeople, ASessionThatHasMovedIsLeftAtOnceAndItsEditsGetNoAnswer) {
   live_->set_fleet({"one:7411", "two:7411"});
   live_->on_session_moved(ann.welcome.session.id, Status::moved("two@two:7411", "two has it"));
   ann.run();
-  ASSERT_EQ(ann.all<Farewell>().size(), 1u);
-  EXPECT_EQ(ann.all<Farewell>()[0].code, FarewellCode::kNotOwner);
-  EXPECT_TRUE(ann.all<Farewell>()[0].come_back);
-  EXPECT_EQ(ann.all<Farewell>()[0].moved_to, (ServerPlace{"two:7411", "two"}));
-  EXPECT_EQ(ann.all<Farewell>()[0].fleet, (std::vector<std::string>{"one:7411", "two:7411"}));
+  ASSERT_EQ(ann.all<GoAway>().size(), 1u);
+  EXPECT_EQ(ann.all<GoAway>()[0].code, GoAwayCode::kNotOwner);
+  EXPECT_TRUE(ann.all<GoAway>()[0].come_back);
+  EXPECT_EQ(ann.all<GoAway>()[0].moved_to, (ServerPlace{"two:7411", "two"}));
+  EXPECT_EQ(ann.all<GoAway>()[0].fleet, (std::vector<std::string>{"one:7411", "two:7411"}));
   EXPECT_TRUE(ann.finished);
   ann.subscriber().acknowledge({{"b"}, {}}, 1);
   ann.run();
@@ -106,15 +106,15 @@ TEST_F(LivePeople, ASessionThatHasMovedIsLeftAtOnceAndItsEditsGetNoAnswer) {
   EXPECT_TRUE(ann.all<EditsRefused>().empty());
 }
 
-TEST_F(LivePeople, AFarewellThatWaitsForAnswersGoesOutWhenTheSessionMoves) {
+TEST_F(LivePeople, AGoAwayThatWaitsForAnswersGoesOutWhenTheSessionMoves) {
   auto ann = guest();
   ASSERT_TRUE(ann.subscriber().expect_answer(1));
   live_->drain();
   ann.run();
-  EXPECT_TRUE(ann.all<Farewell>().empty());
+  EXPECT_TRUE(ann.all<GoAway>().empty());
   live_->on_session_moved(ann.welcome.session.id, unavailable("the lease is over"));
   ann.run();
-  EXPECT_EQ(ann.all<Farewell>().size(), 1u);
+  EXPECT_EQ(ann.all<GoAway>().size(), 1u);
   EXPECT_TRUE(ann.finished);
 }
 
@@ -137,10 +137,10 @@ TEST_F(LivePeople, WhoIsSilentIsSentAwayAndWatchersMayBe) {
   ann.session().end_unwelcome(std::chrono::seconds(0));
   ann.run();
   eve.run();
-  ASSERT_EQ(ann.all<Farewell>().size(), 1u);
-  EXPECT_EQ(ann.all<Farewell>()[0].code, FarewellCode::kSilent);
+  ASSERT_EQ(ann.all<GoAway>().size(), 1u);
+  EXPECT_EQ(ann.all<GoAway>()[0].code, GoAwayCode::kSilent);
   EXPECT_TRUE(ann.finished);
-  EXPECT_TRUE(eve.all<Farewell>().empty());
+  EXPECT_TRUE(eve.all<GoAway>().empty());
 }
 
 TEST_F(LivePeople, AViewerOfTheServerIsOneInEverySession) {
@@ -168,10 +168,10 @@ TEST_F(LivePeople, WhoMayNotStayIsSentAwayForGood) {
   stays = {StatusCode::kPermissionDenied, "eve has left"};
   eve.session().end_unwelcome(std::chrono::hours(1));
   eve.run();
-  ASSERT_EQ(eve.all<Farewell>().size(), 1u);
-  EXPECT_EQ(eve.all<Farewell>()[0].code, FarewellCode::kRemoved);
-  EXPECT_EQ(eve.all<Farewell>()[0].reason, "eve has left");
-  EXPECT_FALSE(eve.all<Farewell>()[0].come_back);
+  ASSERT_EQ(eve.all<GoAway>().size(), 1u);
+  EXPECT_EQ(eve.all<GoAway>()[0].code, GoAwayCode::kRemoved);
+  EXPECT_EQ(eve.all<GoAway>()[0].reason, "eve has left");
+  EXPECT_FALSE(eve.all<GoAway>()[0].come_back);
   EXPECT_TRUE(eve.finished);
 }
 

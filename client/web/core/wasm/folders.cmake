@@ -1,9 +1,9 @@
 # The client's folders, without what only a program with files, threads or a window needs. What
-# stands in its place lies in client/web/core/host and client/web/core/carrier.
+# stands in its place lies in client/web/core/host and client/web/core/transport.
 
 function(core_options name)
   target_include_directories(${name} PRIVATE ${root})
-  target_include_directories(${name} SYSTEM PRIVATE ${core}/gl ${core}/carrier ${EIGEN})
+  target_include_directories(${name} SYSTEM PRIVATE ${core}/gl ${core}/transport ${EIGEN})
   target_link_libraries(${name} PRIVATE proto zstd)
   target_compile_definitions(${name} PRIVATE NDEBUG EIGEN_DONT_PARALLELIZE XXH_INLINE_ALL
     JSON_NOEXCEPTION JSON_NO_IO)
@@ -77,7 +77,7 @@ core_folder(client/model/view EXCEPT raw_scan_file view_state)
 core_folder(client/model/workspace EXCEPT leaving letters session_picture_files workspace_raw_file)
 core_folder(client/script EXCEPT lone_script)
 core_folder(client/web/core)
-core_folder(client/web/core/carrier)
+core_folder(client/web/core/transport)
 core_folder(client/web/core/host)
 core_folder(client/web/core/libraries)
 # They run once a scan, or once a block of its directory.
@@ -111,7 +111,7 @@ core_program(core_raster client/raster client/web/core/raster)
 
 # For tests under Node: the code of the core that reads what others have written, without a page.
 file(GLOB checks ${root}/tests/client/web/core/wasm/checks.cpp ${root}/tests/client/web/core/wasm/exports.cpp)
-list(FILTER shared EXCLUDE REGEX "^client_(connection|model_[a-z]+|script|web_core(_host|_carrier)?)$")
+list(FILTER shared EXCLUDE REGEX "^client_(connection|model_[a-z]+|script|web_core(_host|_transport)?)$")
 list(TRANSFORM shared REPLACE "(.+)" "$<TARGET_OBJECTS:\\1>" OUTPUT_VARIABLE objects)
 add_executable(checks EXCLUDE_FROM_ALL ${checks} ${objects} $<TARGET_OBJECTS:protobuf>)
 set_target_properties(checks PROPERTIES SUFFIX .wasm)

@@ -1,6 +1,6 @@
 // Calls of the core, answered by a publication's files in place of a server: docs/decisions/84.
 
-import { Heard, type CallEvents, type Carrier } from "../heard";
+import { Heard, type CallEvents, type Transport } from "../heard";
 import type { FrameChecksum } from "./frames";
 import { fieldsOf, type Fields } from "./messages";
 import { Parts, Useless } from "./parts";
@@ -30,7 +30,7 @@ export interface PublicationStart {
   base: string;
 }
 
-export class PublishedCalls implements Carrier {
+export class PublishedCalls implements Transport {
   private readonly calls = new Map<number, PublishedCall>();
   private readonly heard: Heard;
   private opened: Promise<Parts> | null = null;

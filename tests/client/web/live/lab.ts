@@ -1,4 +1,4 @@
-// A burnish-server with its door for browsers, the command line, and browsers that visit it.
+// A burnish-server with its gateway for browsers, the command line, and browsers that visit it.
 
 import assert from "node:assert/strict";
 import { execFile, spawn, type ChildProcess } from "node:child_process";

@@ -1,4 +1,4 @@
-#include "client/web/core/carrier/socket_link.h"
+#include "client/web/core/transport/socket_link.h"
 
 #include <algorithm>
 #include <utility>

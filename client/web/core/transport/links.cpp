@@ -1,7 +1,7 @@
 #include "client/connection/links.h"
 
-#include "client/web/core/carrier/page_calls_link.h"
-#include "client/web/core/carrier/socket_link.h"
+#include "client/web/core/transport/page_calls_link.h"
+#include "client/web/core/transport/socket_link.h"
 
 namespace burnish {
 

@@ -13,28 +13,28 @@
 
 namespace burnish {
 
-struct WebDoorOptions {
+struct WebGatewayOptions {
   std::vector<std::string> hosts;  ///< names of this server besides loopback and its address
   const Reloaded<Certificates>* certificates = nullptr;  ///< null: plain text
   bool client_certificate_required = true;               ///< if the certificates have a CA
 };
 
-/// The calls behind the door.
+/// The calls behind the gateway.
 struct WebCalls {
   std::shared_ptr<grpc::Channel> channel;  ///< into this process
   /// Says whether a call may start, and logs and counts a refusal. Thread-safe.
   std::function<grpc::Status(const std::string& method, const Proof&, const std::string& peer)>
       admit;
-  std::string secret;  ///< of the door's marks
+  std::string secret;  ///< of the gateway's marks
 };
 
 /// Serves browsers: the page's files over HTTP, and gRPC's calls over WebSocket, as docs/web.md
 /// says. Has its own threads. Thread-safe.
-class WebDoor {
+class WebGateway {
  public:
-  /// Needs: the certificates outlive the door.
-  WebDoor(WebDoorOptions options, WebCalls calls);
-  ~WebDoor();  ///< as close()
+  /// Needs: the certificates outlive the gateway.
+  WebGateway(WebGatewayOptions options, WebCalls calls);
+  ~WebGateway();  ///< as close()
 
   /// Takes over a connected socket. `peer` is its name for the log.
   void take(int fd, const std::string& peer);

@@ -1,4 +1,4 @@
-#include "client/web/core/carrier/page_calls_link.h"
+#include "client/web/core/transport/page_calls_link.h"
 
 #include <algorithm>
 #include <chrono>

@@ -12,13 +12,13 @@
 #include "server/web/protocol/request_rules.h"
 #include "server/web/streams.h"
 #include "server/web/web_connection.h"
-#include "server/web/web_door.h"
 #include "server/web/web_files.h"
+#include "server/web/web_gateway.h"
 
 namespace burnish {
 
-/// The state that all connections of the door share. It outlives them.
-struct DoorState {
+/// The state that all connections of the gateway share. It outlives them.
+struct GatewayState {
   RequestRules rules;
   WebCalls calls;
   WebFiles files;
@@ -36,12 +36,12 @@ struct WebPeer {
 using HttpRequest = beast::http::request<beast::http::empty_body>;
 
 /// Serves requests of HTTP on a connected stream, until its end or until it becomes a WebSocket.
-void serve_http(DoorState& door, WebPeer peer, PlainStream stream);
-void serve_http(DoorState& door, WebPeer peer, TlsStream stream);
+void serve_http(GatewayState& gateway, WebPeer peer, PlainStream stream);
+void serve_http(GatewayState& gateway, WebPeer peer, TlsStream stream);
 
 /// Serves calls on a stream whose client has asked for a WebSocket with `request`.
-void serve_socket(DoorState& door, WebPeer peer, PlainStream stream, HttpRequest request);
-void serve_socket(DoorState& door, WebPeer peer, TlsStream stream, HttpRequest request);
+void serve_socket(GatewayState& gateway, WebPeer peer, PlainStream stream, HttpRequest request);
+void serve_socket(GatewayState& gateway, WebPeer peer, TlsStream stream, HttpRequest request);
 
 /// Logs and counts a refusal. `why` has no token.
 void report_web_refusal(Refusal reason, const WebPeer& peer, std::string_view why);

@@ -1,4 +1,4 @@
-#include "server/web/web_door.h"
+#include "server/web/web_gateway.h"
 
 #include <algorithm>
 #include <thread>
@@ -7,19 +7,19 @@
 #include <spdlog/spdlog.h>
 
 #include "server/process/line_limiter.h"
-#include "server/web/door_state.h"
+#include "server/web/gateway_state.h"
 #include "server/web/tls_contexts.h"
 
 namespace burnish {
 
 static constexpr unsigned kThreadsMax = 4;
 
-struct WebDoor::State {
-  State(WebDoorOptions options, WebCalls calls)
-      : door{{std::move(options.hosts), options.certificates != nullptr},
-             std::move(calls),
-             WebFiles(),
-             {}} {
+struct WebGateway::State {
+  State(WebGatewayOptions options, WebCalls calls)
+      : gateway{{std::move(options.hosts), options.certificates != nullptr},
+                std::move(calls),
+                WebFiles(),
+                {}} {
     if (options.certificates)
       tls =
           std::make_unique<TlsContexts>(*options.certificates, options.client_certificate_required);
@@ -34,12 +34,12 @@ struct WebDoor::State {
         io.run();
         return;
       } catch (const std::exception& error) {
-        spdlog::error("the web door lost a connection: {}", error.what());
+        spdlog::error("the web gateway lost a connection: {}", error.what());
       }
     }
   }
 
-  DoorState door;
+  GatewayState gateway;
   std::unique_ptr<TlsContexts> tls;
   asio::io_context io;
   asio::executor_work_guard<asio::io_context::executor_type> work{io.get_executor()};
@@ -63,14 +63,14 @@ static bool is_ipv6(int fd) {
   return address.ss_family == AF_INET6;
 }
 
-WebDoor::WebDoor(WebDoorOptions options, WebCalls calls)
+WebGateway::WebGateway(WebGatewayOptions options, WebCalls calls)
     : state_(std::make_unique<State>(std::move(options), std::move(calls))) {}
 
-WebDoor::~WebDoor() {
+WebGateway::~WebGateway() {
   close();
 }
 
-void WebDoor::take(int fd, const std::string& peer) {
+void WebGateway::take(int fd, const std::string& peer) {
   PlainStream socket(asio::make_strand(state_->io));
   StreamError error;
   socket.assign(is_ipv6(fd) ? asio::ip::tcp::v6() : asio::ip::tcp::v4(), fd, error);
@@ -79,27 +79,27 @@ void WebDoor::take(int fd, const std::string& peer) {
     return;
   }
   WebPeer client{peer, local_address_of(socket), {}};
-  if (!state_->tls) return serve_http(state_->door, std::move(client), std::move(socket));
+  if (!state_->tls) return serve_http(state_->gateway, std::move(client), std::move(socket));
   const auto context = state_->tls->current();
   if (!context.is_ok()) {
     spdlog::error("refused {}: {}", peer, context.status().message());
     return;
   }
-  serve_http(state_->door, std::move(client), TlsStream(std::move(socket), **context));
+  serve_http(state_->gateway, std::move(client), TlsStream(std::move(socket), **context));
 }
 
-size_t WebDoor::connections() const {
-  return state_->door.connections.count();
+size_t WebGateway::connections() const {
+  return state_->gateway.connections.count();
 }
 
-void WebDoor::leave() {
-  state_->door.connections.leave();
+void WebGateway::leave() {
+  state_->gateway.connections.leave();
 }
 
-void WebDoor::close() {
+void WebGateway::close() {
   if (state_->threads.empty()) return;
-  state_->door.connections.close();
-  state_->door.connections.wait_until_empty();
+  state_->gateway.connections.close();
+  state_->gateway.connections.wait_until_empty();
   state_->work.reset();
   for (std::thread& thread : state_->threads) thread.join();
   state_->threads.clear();
