@@ -57,7 +57,7 @@ std::shared_ptr<const Page> numbered(const Page& page, PageId number) {
 /// Returns the tile of a page, of its colours or gains; empty if the frame has none.
 std::string tile_in(const SurfaceFrame& frame, const Page& page, PageId number) {
   const PageMove* const move = frame.find(number);
-  return move ? published_tile(page, *move) : std::string();
+  return move ? pack_tile(published_tile(page, *move)) : std::string();
 }
 
 /// Writes a batch of pages with their tiles.

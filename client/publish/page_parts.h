@@ -7,9 +7,9 @@
 namespace burnish {
 
 /// Writes the parts of a scan's pages: all blocks of the directory, then of each page the page
-/// and the tiles of its surface, its colours and its gains, each as a message of the protocol but
-/// for the tiles (published_tile.h). Fails: data_loss (a damaged page), as the server says, as
-/// writing does, cancelled.
+/// and the packed tiles of its surface, its colours and its gains, each as a message of the
+/// protocol but for the tiles (published_tile.h). Fails: data_loss (a damaged page), as the server
+/// says, as writing does, cancelled.
 Status write_page_parts(Connection& connection, const Opening& opening, RestingSurface& surface,
                         PartsWriter& parts, const Progress& progress);
 

@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <cstdint>
+#include <zlib.h>
 
+#include "common/base/check.h"
 #include "common/page_frames/page_frame_body.h"
 #include "common/page_frames/page_steps.h"
 
@@ -35,6 +37,17 @@ std::string published_tile(const Page& page, const PageMove& move) {
   std::string bytes{static_cast<char>(values & 0xff), static_cast<char>(values >> 8)};
   for (const uint8_t byte : body.bytes()) bytes.push_back(static_cast<char>(byte));
   return bytes;
+}
+
+std::string pack_tile(const std::string& tile) {
+  if (tile.empty()) return {};
+  uLongf size = compressBound(tile.size());
+  std::string packed(size, '\0');
+  const int end = compress(reinterpret_cast<Bytef*>(packed.data()), &size,
+                           reinterpret_cast<const Bytef*>(tile.data()), tile.size());
+  BURNISH_CHECK(end == Z_OK, "zlib lacks memory");
+  packed.resize(size);
+  return packed;
 }
 
 }  // namespace burnish

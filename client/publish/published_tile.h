@@ -13,4 +13,8 @@ namespace burnish {
 /// streams. Empty if nothing has moved and the gain is 1. Needs: a move of an exact frame.
 std::string published_tile(const Page& page, const PageMove& move);
 
+/// Returns a tile as a publication has it: in zlib's format (RFC 1950), which browsers unpack
+/// themselves. An empty one stays empty.
+std::string pack_tile(const std::string& tile);
+
 }  // namespace burnish

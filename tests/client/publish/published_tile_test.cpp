@@ -1,6 +1,7 @@
 #include "client/publish/published_tile.h"
 
 #include <random>
+#include <zlib.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -52,6 +53,19 @@ TEST(PublishedTile, IsTheBodyOfAKeyFrameBehindTheNumberOfItsValues) {
     const std::string count{static_cast<char>(values & 255), static_cast<char>(values >> 8)};
     EXPECT_EQ(published_tile(moved.page, moved.move), count + moved.body());
   }
+}
+
+TEST(PublishedTile, IsPackedAsBrowsersUnpackIt) {
+  const std::string tile = std::string(1000, 'a') + "b";
+  const std::string packed = pack_tile(tile);
+  EXPECT_LT(packed.size(), 100u);
+  std::string again(tile.size(), '\0');
+  uLongf size = again.size();
+  ASSERT_EQ(uncompress(reinterpret_cast<Bytef*>(again.data()), &size,
+                       reinterpret_cast<const Bytef*>(packed.data()), packed.size()),
+            Z_OK);
+  EXPECT_EQ(again, tile);
+  EXPECT_EQ(pack_tile(""), "");
 }
 
 TEST(PublishedTile, OfAPageThatHasNotMovedIsEmpty) {

@@ -2,6 +2,7 @@
 
 import assert from "node:assert/strict";
 import { beforeEach, test } from "node:test";
+import { deflateSync } from "node:zlib";
 import { PublishedCalls } from "../../../client/web/engine/published/calls";
 import { makeFrame } from "../../../client/web/engine/published/frames";
 import { bytesField, fieldsOf, messagesOf, numbersOf } from "../../../client/web/engine/published/messages";
@@ -13,9 +14,12 @@ const kCounts = { file: "scan-1.parts", index: "scan-1.index", blocks: 1, pages:
 /** The key frame of docs/protocol.md, section 8: its page has five values, and this body. */
 const kTile = Uint8Array.of(5, 0, 3, 1, 4, 0, 2, 0xf4, 3, 0, 0, 0x80, ...new Uint8Array(15));
 
+const packed = (tile: string | Uint8Array) => new Uint8Array(deflateSync(tile));
+
 /** The parts of a scan of three pages; the second has gains alone, the third has one sheet. */
 const kParts = [
-  "block", "page 0", kTile, "", "", "page 1", "", "", kTile, "page 2", kTile, "colours 2", "gains 2",
+  "block", "page 0", packed(kTile), "", "", "page 1", "", "", packed(kTile),
+  "page 2", packed(kTile), packed("colours 2"), packed("gains 2"),
   "sheet block", "charts 0", "0a", "0b", "charts 1", "1a", "1b", "charts 2", "2a", "",
 ].map((part) => (typeof part === "string" ? new TextEncoder().encode(part) : part));
 const kBytes = Uint8Array.from(kParts.flatMap((part) => [...part]));

@@ -105,12 +105,12 @@ export class Parts {
     });
   }
 
-  /** Returns a tile of a page. */
+  /** Returns a tile of a page, as client/publish/published_tile.h made it before it was packed. */
   tile(page: number, tile: Tile): Promise<Uint8Array> {
     const part = this.page(page) + 1 + kTiles.indexOf(tile);
     const kept = this.tiles.get(part);
     this.tiles.delete(part);
-    return kept?.catch(() => this.readOne(part)) ?? this.readOne(part);
+    return (kept?.catch(() => this.readOne(part)) ?? this.readOne(part)).then(unpacked);
   }
 
   /** Returns parts, in their order; one without bytes is not fetched. Each fails as the web server does. */
@@ -189,6 +189,13 @@ function checkSize(file: string, bytes: number, wanted: number): void {
 function quiet<Value>(promise: Promise<Value>): Promise<Value> {
   promise.catch(() => {});
   return promise;
+}
+
+/** Fails: bytes that zlib's format does not allow, or whose checksum differs. */
+async function unpacked(bytes: Uint8Array): Promise<Uint8Array> {
+  if (bytes.length === 0) return bytes;
+  const stream = new Blob([bytes.slice()]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
 function whole(bytes: Uint8Array, length: number): Uint8Array {
