@@ -5,30 +5,18 @@
 
 namespace burnish {
 
-ExportCall::ExportCall(const CallContext& calls, const v1::ExportRequest& request)
-    : calls_(calls),
-      request_(request),
-      events_([this](const v1::ExportEvent* event) { StartWrite(event); },
-              [this](grpc::Status status) { Finish(std::move(status)); }) {}
-
 void ExportCall::begin() {
-  calls_.executor.post(
-      [call = self()] {
-        const Status status = call->solve();
-        if (!status.is_ok()) return call->end(status);
-        call->send_next();
-      },
-      [call = self()](const Status& status) { call->end(status); });
+  post([](ExportCall& call) {
+    const Status status = call.solve();
+    if (!status.is_ok()) return call.end(status);
+    call.send_next();
+  });
 }
 
 Status ExportCall::solve() {
   ASSIGN_OR_RETURN(const ExportWish wish, from_wire(request_));
-  const Progress progress = [this](std::string_view phase, double fraction) {
-    return report_progress(phase, fraction);
-  };
-  ASSIGN_OR_RETURN(file_,
-                   calls_.sessions.export_mesh(request_.session(), wish, calls_.caller,
-                                               give_way_to(calls_.live.scheduler(), progress)));
+  ASSIGN_OR_RETURN(
+      file_, calls_.sessions.export_mesh(request_.session(), wish, calls_.caller, progress()));
   return Status::ok();
 }
 
@@ -38,9 +26,7 @@ void ExportCall::OnWriteDone(bool ok) {
   // Also after a mere progress event: after a failed write nothing more is written.
   if (!ok) return end(cancelled("the client has gone"));
   if (!was_chunk) return;
-  calls_.executor.post(
-      Lane::kSession, [call = self()] { call->send_next(); },
-      [call = self()](const Status& status) { call->end(status); });
+  post(Lane::kSession, [](ExportCall& call) { call.send_next(); });
 }
 
 void ExportCall::send_next() {
@@ -55,14 +41,6 @@ void ExportCall::send_next() {
   set_chunk(sent_bytes_, piece.value(), *event.mutable_chunk());
   sent_bytes_ += piece.value().size();
   events_.push(std::move(event));
-}
-
-bool ExportCall::report_progress(std::string_view phase, double fraction) {
-  v1::ExportEvent event;
-  event.mutable_progress()->set_phase(std::string(phase));
-  event.mutable_progress()->set_fraction(fraction);
-  events_.offer(std::move(event));
-  return !cancelled_;
 }
 
 }  // namespace burnish

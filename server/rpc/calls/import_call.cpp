@@ -116,10 +116,7 @@ void ImportCall::end(const Result<ImportOutcome>& outcome) {
 
 Progress ImportCall::progress() {
   return [this](std::string_view phase, double fraction) {
-    v1::ImportEvent event;
-    event.mutable_progress()->set_phase(std::string(phase));
-    event.mutable_progress()->set_fraction(fraction);
-    events_.offer(std::move(event));
+    events_.report(phase, fraction);
     return !cancelled_;
   };
 }

@@ -1,35 +1,17 @@
 #pragma once
 
-#include <atomic>
-
 #include "burnish/v1/library.grpc.pb.h"
-#include "server/rpc/reactor/call_context.h"
-#include "server/rpc/reactor/event_queue.h"
-#include "server/rpc/reactor/self_owned.h"
+#include "server/rpc/reactor/event_call.h"
 
 namespace burnish {
 
 /// Library.ProposeEdges: progress while the store measures the scan, then what it proposes.
-class ProposeEdgesCall final : public grpc::ServerWriteReactor<v1::ProposeEdgesEvent>,
-                               public SelfOwned<ProposeEdgesCall> {
+class ProposeEdgesCall final
+    : public EventCall<ProposeEdgesCall, v1::ProposeEdgesRequest, v1::ProposeEdgesEvent> {
  public:
-  ProposeEdgesCall(const CallContext& calls, const v1::ProposeEdgesRequest& request);
+  using EventCall::EventCall;
 
-  void begin();
-
-  void OnWriteDone(bool ok) override { events_.on_write_done(ok); }
-  void OnCancel() override { cancelled_ = true; }
-  void OnDone() override { release(); }
-
- private:
-  Status propose();
-  void end(const Status& status) { events_.close(to_grpc(status)); }
-  bool report_progress(std::string_view phase, double fraction);
-
-  const CallContext calls_;
-  const v1::ProposeEdgesRequest request_;
-  std::atomic<bool> cancelled_{false};
-  EventQueue<v1::ProposeEdgesEvent> events_;
+  Status run();
 };
 
 }  // namespace burnish

@@ -12,30 +12,21 @@
 
 namespace burnish {
 
-GetCellsCall::GetCellsCall(const CallContext& calls, const v1::GetCellsRequest& request)
-    : calls_(calls),
-      request_(request),
-      events_([this](const v1::Chunk* chunk) { StartWrite(chunk); },
-              [this](grpc::Status status) { Finish(std::move(status)); }) {}
-
 void GetCellsCall::begin() {
-  calls_.executor.post(
-      [call = self()] {
-        const Status status = call->take_values();
-        if (!status.is_ok()) return call->end(status);
-        call->send_next();
-      },
-      [call = self()](const Status& status) { call->end(status); });
+  post([](GetCellsCall& call) {
+    const Status status = call.take_values();
+    if (!status.is_ok()) return call.end(status);
+    call.send_next();
+  });
 }
 
 Status GetCellsCall::take_values() {
   ASSIGN_OR_RETURN(const CellValue value, from_wire(request_.value()));
-  const Progress progress = [this](std::string_view, double) { return !cancelled_; };
   const auto take = [&](Session& session) {
     values_ = cell_values(session, value);
     return Status::ok();
   };
-  return calls_.sessions.visit(request_.session(), calls_.caller, take, progress);
+  return calls_.sessions.visit(request_.session(), calls_.caller, take, silent_progress());
 }
 
 void GetCellsCall::OnWriteDone(bool ok) {
@@ -57,24 +48,15 @@ void GetCellsCall::send_next() {
 
 static constexpr size_t kPagesAtATime = 64;
 
-GetPageValuesCall::GetPageValuesCall(const CallContext& calls,
-                                     const v1::GetPageValuesRequest& request)
-    : calls_(calls),
-      request_(request),
-      events_([this](const v1::PageValues* event) { StartWrite(event); },
-              [this](grpc::Status status) { Finish(std::move(status)); }) {}
-
 void GetPageValuesCall::begin() {
-  post(&GetPageValuesCall::send_first);
+  send(&GetPageValuesCall::send_first);
 }
 
-void GetPageValuesCall::post(Status (GetPageValuesCall::*work)()) {
-  calls_.executor.post(
-      [call = self(), work] {
-        const Status status = (call.get()->*work)();
-        if (!status.is_ok()) call->end(status);
-      },
-      [call = self()](const Status& status) { call->end(status); });
+void GetPageValuesCall::send(Status (GetPageValuesCall::*work)()) {
+  post([work](GetPageValuesCall& call) {
+    const Status status = (call.*work)();
+    if (!status.is_ok()) call.end(status);
+  });
 }
 
 static Status check_pages(std::span<const PageId> pages, uint32_t count) {
@@ -91,16 +73,15 @@ static Status check_pages(std::span<const PageId> pages, uint32_t count) {
 
 Status GetPageValuesCall::send_first() {
   ASSIGN_OR_RETURN(PageValuesWish wish, from_wire(request_));
-  const Progress progress = [this](std::string_view, double) { return !cancelled_; };
   ASSIGN_OR_RETURN(const SessionManager::Attached attached,
-                   calls_.sessions.attach(wish.session, calls_.caller, progress));
+                   calls_.sessions.attach(wish.session, calls_.caller, silent_progress()));
   ASSIGN_OR_RETURN(scan_, calls_.store.find_pages(attached.info.scan_id));
   RETURN_IF_ERROR(check_pages(wish.pages, scan_->file.directory().head.page_count()));
   const auto take = [&](Session& session) {
     values_ = cell_values(session, wish.value);
     return Status::ok();
   };
-  RETURN_IF_ERROR(calls_.sessions.visit(attached.info.id, calls_.caller, take, progress));
+  RETURN_IF_ERROR(calls_.sessions.visit(attached.info.id, calls_.caller, take, silent_progress()));
   mesh_ = attached.mesh;
   pages_ = std::move(wish.pages);
   return send_some();
@@ -127,7 +108,7 @@ void GetPageValuesCall::OnWriteDone(bool ok) {
   if (!ok) return end(cancelled("the client has gone"));
   if (--unwritten_ > 0) return;
   if (sent_ == pages_.size()) return end(Status::ok());
-  run_guarded([this] { post(&GetPageValuesCall::send_some); },
+  run_guarded([this] { send(&GetPageValuesCall::send_some); },
               [this](const Status& status) { end(status); });
 }
 

@@ -4,6 +4,8 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include <grpcpp/grpcpp.h>
 
@@ -24,6 +26,14 @@ class EventQueue {
     if (closed_) return;
     newest_ = std::move(event);
     advance();
+  }
+
+  /// Offers an event that says how far the work is.
+  void report(std::string_view phase, double fraction) {
+    Event event;
+    event.mutable_progress()->set_phase(std::string(phase));
+    event.mutable_progress()->set_fraction(fraction);
+    offer(std::move(event));
   }
 
   /// Adds an event that must arrive, in order.
