@@ -10,33 +10,20 @@ static Json point(const Vec3d& p) {
   return Json::array({p.x(), p.y(), p.z()});
 }
 
-static Json key_to_json(const PreparedKey& key) {
-  return {{"depth", key.depth}, {"curvature_radius", key.curvature_radius}};
-}
-
 static Json to_json(const ThinWalls& walls) {
   if (walls.share <= 0) return nullptr;
   return {{"share", walls.share}, {"depth", walls.depth > 0 ? Json(walls.depth) : Json()}};
 }
 
 Json to_json(const ScanInfo& scan) {
-  const MeshStatistics& s = scan.statistics;
-  Json json;
-#define BURNISH_FIELD(name) json[#name] = scan.name;
-  BURNISH_SCAN_FIELDS(BURNISH_FIELD)
-#undef BURNISH_FIELD
+  Json json = json_of<Json>(scan);
   json["format"] = mesh_format_name(scan.format);
-#define BURNISH_FIELD(name) json[#name] = s.name;
-  BURNISH_STATISTICS_NUMBERS(BURNISH_FIELD)
-#undef BURNISH_FIELD
-  json["box_min"] = point(s.box_min);
-  json["box_max"] = point(s.box_max);
+  add_fields(scan.statistics, json);
+  json["box_min"] = point(scan.statistics.box_min);
+  json["box_max"] = point(scan.statistics.box_max);
   json["prepared"] = Json::array();
-  for (const PreparedInfo& prepared : scan.prepared) {
-    Json entry = key_to_json(prepared.key);
-    entry["size_bytes"] = prepared.size_bytes;
-    json["prepared"].push_back(entry);
-  }
+  for (const PreparedInfo& prepared : scan.prepared)
+    json["prepared"].push_back(json_of<Json>(prepared));
   return json;
 }
 
@@ -44,11 +31,7 @@ Json to_json(const ScanDescription& description) {
   Json json = to_json(description.scan);
   if (!description.prepared) return json;
   const PreparedDescription& prepared = *description.prepared;
-  Json entry = key_to_json(prepared.key);
-  entry["length_unit"] = prepared.length_unit;
-  entry["cell_size"] = prepared.cell_size;
-  entry["cells"] = prepared.cells;
-  entry["memory_bytes"] = prepared.memory_bytes;
+  Json entry = json_of<Json>(prepared);
   entry["histogram"] = {{"range", prepared.histogram_range}, {"area", prepared.histogram}};
   entry["walls"] = to_json(prepared.walls);
   json["described"] = entry;

@@ -3,10 +3,7 @@
 namespace burnish {
 
 nlohmann::ordered_json deviation_json(const Deviation& deviation) {
-  nlohmann::ordered_json json;
-#define BURNISH_FIELD(name) json[#name] = deviation.name;
-  BURNISH_DEVIATION_NUMBERS(BURNISH_FIELD)
-#undef BURNISH_FIELD
+  auto json = json_of<nlohmann::ordered_json>(deviation);
   const Vec3d& farthest = deviation.farthest;
   json["farthest"] = {farthest.x(), farthest.y(), farthest.z()};
   json["histogram"] = {{"range", deviation.histogram_range}, {"area", deviation.histogram}};

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "common/base/record.h"
 #include "common/base/types.h"
 
 namespace burnish {
@@ -32,13 +33,8 @@ struct Deviation {
   bool is_zero() const { return max == 0; }
 };
 
-/// The numbers of Deviation in the order of records, by their names in JSON and in messages.
-// clang-format off
-#define BURNISH_DEVIATION_NUMBERS(FIELD) \
-  FIELD(max) FIELD(mean) FIELD(rms) FIELD(outward_max) FIELD(inward_max) \
-  FIELD(mean_along_normal) \
-  FIELD(area_before) FIELD(area_after) FIELD(volume_before) FIELD(volume_after)
-// clang-format on
+BURNISH_RECORD(Deviation, max, mean, rms, outward_max, inward_max, mean_along_normal, area_before,
+               area_after, volume_before, volume_after)
 
 /// Needs: as many vertices before as after; triangles that index them. Vertices without a triangle
 /// do not count. Cost: linear; scratch of 57 bytes a vertex.

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "common/base/record.h"
 #include "common/base/status.h"
 #include "common/mesh/mesh_format.h"
 #include "common/mesh/statistics/statistics.h"
@@ -19,12 +20,14 @@ struct PreparedKey {
   double curvature_radius = 0;  ///< averaging radius for κ as a fraction of L
   auto operator<=>(const PreparedKey&) const = default;
 };
+BURNISH_RECORD(PreparedKey, depth, curvature_radius)
 
 /// One prepared mesh that the server keeps.
 struct PreparedInfo {
   PreparedKey key;
   uint64_t size_bytes = 0;  ///< of its file
 };
+BURNISH_RECORD(PreparedInfo, key, size_bytes)
 
 /// A scan of the library.
 struct ScanInfo {
@@ -39,13 +42,8 @@ struct ScanInfo {
   std::vector<PreparedInfo> prepared;  ///< by depth
   std::string unit;                    ///< of the coordinates: "mm"; empty: nobody named it
 };
-
-/// The plain fields of ScanInfo in the order of records, by their names in JSON and in messages.
-// clang-format off
-#define BURNISH_SCAN_FIELDS(FIELD) \
-  FIELD(id) FIELD(name) FIELD(size_bytes) FIELD(imported_unix_seconds) FIELD(default_depth) \
-  FIELD(has_colours) FIELD(unit)
-// clang-format on
+BURNISH_RECORD(ScanInfo, id, name, size_bytes, imported_unix_seconds, default_depth, has_colours,
+               unit)
 
 /// Describes a prepared mesh to clients.
 struct PreparedDescription {
@@ -58,6 +56,7 @@ struct PreparedDescription {
   std::vector<float> histogram;  ///< fraction of the area
   ThinWalls walls;
 };
+BURNISH_RECORD(PreparedDescription, key, length_unit, cell_size, cells, memory_bytes)
 
 struct ScanDescription {
   ScanInfo scan;
@@ -73,6 +72,7 @@ struct ImportHeader {
   PreparedKey key;
   bool exact_name = false;  ///< refuses a name that is not free; else it is changed
 };
+BURNISH_RECORD(ImportHeader, name, size_bytes, sha256, key, exact_name)
 
 /// The result of an import.
 struct ImportOutcome {

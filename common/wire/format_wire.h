@@ -28,5 +28,8 @@ ThinWalls from_wire(const v1::ThinWalls& message);
 /// kCurvatureRadiusMin averages nothing and counts as 0.
 /// Fails: invalid_argument naming the value and its limits.
 Result<PreparedKey> prepared_key_from_wire(int depth, double curvature_radius);
+inline Result<PreparedKey> prepared_key_from_wire(const PreparedKey& key) {
+  return prepared_key_from_wire(key.depth, key.curvature_radius);
+}
 
 }  // namespace burnish

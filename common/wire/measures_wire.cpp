@@ -9,9 +9,7 @@ namespace burnish {
 v1::Deviation to_wire(const SessionDeviation& measured) {
   const Deviation& deviation = measured.deviation;
   v1::Deviation message;
-#define BURNISH_FIELD(name) message.set_##name(deviation.name);
-  BURNISH_DEVIATION_NUMBERS(BURNISH_FIELD)
-#undef BURNISH_FIELD
+  write_fields(deviation, message);
   *message.mutable_farthest() = to_wire(deviation.farthest);
   message.set_histogram_range(deviation.histogram_range);
   message.mutable_histogram()->Assign(deviation.histogram.begin(), deviation.histogram.end());
@@ -25,9 +23,7 @@ Result<SessionDeviation> from_wire(const v1::Deviation& message) {
                      " bins, expected " + std::to_string(Deviation::kBins));
   SessionDeviation measured;
   Deviation& deviation = measured.deviation;
-#define BURNISH_FIELD(name) deviation.name = message.name();
-  BURNISH_DEVIATION_NUMBERS(BURNISH_FIELD)
-#undef BURNISH_FIELD
+  read_fields(message, deviation);
   deviation.farthest = from_wire(message.farthest());
   deviation.histogram_range = message.histogram_range();
   std::ranges::copy(message.histogram(), deviation.histogram.begin());

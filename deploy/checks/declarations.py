@@ -7,6 +7,8 @@ NOISE = re.compile(r'R"(\w*)\(.*?\)\1"|//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"'
                    r"|(?<![0-9a-fA-F])'(?:\\.|[^'\\\n])+'", re.DOTALL)
 DIRECTIVE = re.compile(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.MULTILINE)
 MACRO = re.compile(r"^[ \t]*#[ \t]*define[ \t]+(\w+)", re.MULTILINE)
+# A macro that stands for declarations has no semicolon.
+MACRO_CALL = re.compile(r"^[A-Z][A-Z_]+\([^()]*\)$", re.MULTILINE)
 TOKEN = re.compile(r"[A-Za-z_]\w*|::|->|\S")
 TYPE_KEYS = ("class", "struct", "union", "enum")
 
@@ -73,7 +75,7 @@ class Declarations:
         text = without_noise(text)
         self.outer = set(MACRO.findall(text))
         self.members = set()
-        self._tokens = iter(TOKEN.findall(DIRECTIVE.sub("", text)))
+        self._tokens = iter(TOKEN.findall(MACRO_CALL.sub("", DIRECTIVE.sub("", text))))
         self._scope(self.outer)
         self.outer.discard(None)
         self.members.discard(None)

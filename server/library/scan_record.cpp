@@ -27,17 +27,13 @@ static Vec3d point_from_json(const json& p) {
 
 static json statistics_to_json(const MeshStatistics& s) {
   json j = {{"box_min", point_to_json(s.box_min)}, {"box_max", point_to_json(s.box_max)}};
-#define BURNISH_FIELD(name) j[#name] = s.name;
-  BURNISH_STATISTICS_NUMBERS(BURNISH_FIELD)
-#undef BURNISH_FIELD
+  add_fields(s, j);
   return j;
 }
 
 static MeshStatistics statistics_from_json(const json& j) {
   MeshStatistics s;
-#define BURNISH_FIELD(name) j.at(#name).get_to(s.name);
-  BURNISH_STATISTICS_NUMBERS(BURNISH_FIELD)
-#undef BURNISH_FIELD
+  take_fields(j, s);
   s.box_min = point_from_json(j.at("box_min"));
   s.box_max = point_from_json(j.at("box_max"));
   return s;
@@ -46,9 +42,7 @@ static MeshStatistics statistics_from_json(const json& j) {
 std::string scan_to_json(const ScanInfo& scan) {
   json j = {{"format", mesh_format_name(scan.format)},
             {"statistics", statistics_to_json(scan.statistics)}};
-#define BURNISH_FIELD(name) j[#name] = scan.name;
-  BURNISH_SCAN_FIELDS(BURNISH_FIELD)
-#undef BURNISH_FIELD
+  add_fields(scan, j);
   return j.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
@@ -56,9 +50,7 @@ Result<ScanInfo> scan_from_json(const std::string& text) try {
   json j = json::parse(text);
   j.emplace("unit", "");  // scans of earlier versions have none
   ScanInfo scan;
-#define BURNISH_FIELD(name) j.at(#name).get_to(scan.name);
-  BURNISH_SCAN_FIELDS(BURNISH_FIELD)
-#undef BURNISH_FIELD
+  take_fields(j, scan);
   ASSIGN_OR_RETURN(scan.format, mesh_format_of_name(j.at("format").get<std::string>()));
   scan.statistics = statistics_from_json(j.at("statistics"));
   return scan;

@@ -11,6 +11,7 @@ THING = """#pragma once
 namespace burnish {
 class Other;
 enum class Colour { kRed };
+MAKES_FUNCTIONS_FOR(Colour, kRed)
 struct Thing {
   int weight() const { return weight_; }
   int weight_ = 0;

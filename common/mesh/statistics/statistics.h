@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "common/base/record.h"
 #include "common/base/scratch_space.h"
 #include "common/base/types.h"
 #include "common/mesh/triangle_mesh.h"
@@ -30,15 +31,8 @@ struct MeshStatistics {
   double diagonal() const { return (box_max - box_min).norm(); }
 };
 
-/// The numbers of MeshStatistics in the order of records. They have these names in JSON and in
-/// messages too.
-// clang-format off
-#define BURNISH_STATISTICS_NUMBERS(FIELD) \
-  FIELD(vertices) FIELD(triangles) FIELD(boundary_edges) FIELD(non_manifold_edges) \
-  FIELD(components) \
-  FIELD(zero_area_triangles) FIELD(unreferenced_vertices) FIELD(area) FIELD(signed_volume) \
-  FIELD(mean_edge_length)
-// clang-format on
+BURNISH_RECORD(MeshStatistics, vertices, triangles, boundary_edges, non_manifold_edges, components,
+               zero_area_triangles, unreferenced_vertices, area, signed_volume, mean_edge_length)
 
 /// Needs: a valid mesh, and the same mesh joined. Cost: near linear time; scratch of 13 bytes per
 /// triangle and 8 per vertex, which lies in `space`.
