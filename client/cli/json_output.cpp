@@ -39,14 +39,7 @@ Json to_json(const ScanDescription& description) {
 }
 
 Json to_json(const SessionInfo& session) {
-  return {{"id", session.id},
-          {"name", session.name},
-          {"scan_id", session.scan_id},
-          {"depth", session.key.depth},
-          {"curvature_radius", session.key.curvature_radius},
-          {"created_unix_seconds", session.created_unix_seconds},
-          {"edits", session.edits},
-          {"in_memory", session.in_memory}};
+  return json_of<Json>(session);
 }
 
 static Json to_json(const Equaliser& equaliser) {
@@ -100,20 +93,9 @@ Json to_json(const SessionState& state) {
 }
 
 Json to_json(const ExportSummary& summary) {
-  return {{"size_bytes", summary.size_bytes},
-          {"sha256", summary.sha256},
-          {"vertices", summary.vertices},
-          {"triangles", summary.triangles},
-          {"cycles", summary.cycles},
-          {"converged", summary.converged},
-          {"energy", summary.energy},
-          {"residual", summary.residual},
-          {"distance", summary.distance},
-          {"assemble_seconds", summary.assemble_seconds},
-          {"solve_seconds", summary.solve_seconds},
-          {"left_out", summary.left_out},
-          {"pictures", summary.pictures},
-          {"volume", summary.volume != 0 ? Json(summary.volume) : Json()}};
+  Json json = json_of<Json>(summary);
+  json["volume"] = summary.volume != 0 ? Json(summary.volume) : Json();
+  return json;
 }
 
 Json to_json(const SessionDeviation& measured) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/base/record.h"
 #include "common/edit/edit.h"
 #include "common/measure/deviation.h"
 #include "common/mesh/mesh_format.h"
@@ -19,6 +20,7 @@ struct SessionWish {
   std::string name;
   PreparedKey key;
 };
+BURNISH_RECORD(SessionWish, scan, name, key)
 
 struct SessionInfo {
   std::string id;
@@ -29,6 +31,7 @@ struct SessionInfo {
   uint64_t edits = 0;
   bool in_memory = false;
 };
+BURNISH_RECORD(SessionInfo, id, name, scan_id, key, created_unix_seconds, edits, in_memory)
 
 struct OpenedSession {
   SessionInfo session;
@@ -43,6 +46,7 @@ struct ApplyOutcome {
   /// For each edit of the batch the history entry that it made or switched; 0: none, or known.
   std::vector<uint64_t> entries;
 };
+BURNISH_RECORD(ApplyOutcome, applied, known, edits, entries)
 
 struct SessionState {
   SessionInfo session;
@@ -57,6 +61,8 @@ struct SessionState {
   uint64_t rims_held = 0;  ///< of these
   ThinWalls walls;         ///< of the scan at this depth
 };
+BURNISH_RECORD(SessionState, cycles, energy, residual, distance, memory_bytes, backend, rims,
+               rims_held)
 
 /// What a cell of the finest depth can be asked for. α and κ in user units.
 enum class CellValue {
@@ -100,5 +106,7 @@ struct ExportSummary {
   std::string lost_volume;  ///< why it is not the scan's, in words for users; empty: it is
   std::string pictures;     ///< what became of those with edited colours, in words; empty: none
 };
+BURNISH_RECORD(ExportSummary, size_bytes, sha256, vertices, triangles, cycles, converged, energy,
+               residual, distance, assemble_seconds, solve_seconds, left_out, pictures)
 
 }  // namespace burnish
