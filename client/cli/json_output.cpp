@@ -44,8 +44,7 @@ Json to_json(const SessionInfo& session) {
 
 static Json to_json(const Equaliser& equaliser) {
   Json bands = Json::array();
-  for (const Band& band : equaliser.bands)
-    bands.push_back({{"size", band.size}, {"gain", band.gain}});
+  for (const Band& band : equaliser.bands) bands.push_back(json_of<Json>(band));
   return bands;
 }
 
@@ -69,17 +68,13 @@ Json to_json(const SessionState& state) {
   Json json = to_json(state.session);
   json["beta"] = state.settings.beta;
   json["curve"] = state.settings.curve.to_string();
-  json["controls"] = {{"pin_rims", state.settings.controls.pin_rims},
-                      {"cap", state.settings.controls.cap},
-                      {"keep_volume", state.settings.controls.keep_volume}};
+  json["controls"] = json_of<Json>(state.settings.controls);
   json["rims"] = {{"number", state.rims}, {"held", state.rims_held}};
   json["walls"] = to_json(state.walls);
   json["bands"] = to_json(state.settings.equaliser);
   json["palette"] = to_json(state.settings.palette);
-  json["colours"] = {{"beta", state.settings.colour.beta}, {"alpha", state.settings.colour.alpha}};
-  json["texture"] = {{"gain", state.settings.texture.gain},
-                     {"remove_light", state.settings.texture.remove_light},
-                     {"level_seams", state.settings.texture.level_seams}};
+  json["colours"] = json_of<Json>(state.settings.colour);
+  json["texture"] = json_of<Json>(state.settings.texture);
   json["edges"] = to_json(state.settings.edges);
   json["memory_bytes"] = state.memory_bytes;
   json["backend"] = state.backend;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/base/limits.h"
+#include "common/base/record.h"
 #include "common/base/status.h"
 #include "common/base/types.h"
 
@@ -39,6 +40,7 @@ struct Brush {
   double keeping_value() const { return edges ? 0 : 1; }
   bool operator==(const Brush&) const = default;
 };
+BURNISH_RECORD(Brush, radius, strength, beta, connected)
 
 /// Parses what a brush paints: "beta", "colour", "edges", "band:2" or "curve:1". Fails:
 /// invalid_argument.

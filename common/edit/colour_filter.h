@@ -3,6 +3,7 @@
 #include <string>
 
 #include "common/base/limits.h"
+#include "common/base/record.h"
 #include "common/base/status.h"
 
 namespace burnish {
@@ -14,6 +15,7 @@ struct ColourFilter {
   double beta = 1;               ///< gradient scale of unpainted colours; 1 keeps them
   bool operator==(const ColourFilter&) const = default;
 };
+BURNISH_RECORD(ColourFilter, beta, alpha)
 
 /// Describes it in a few words: "colours at beta 0.2, alpha 50".
 std::string text_of(const ColourFilter& filter);

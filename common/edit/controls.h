@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "common/base/record.h"
 #include "common/base/status.h"
 
 namespace burnish {
@@ -13,6 +14,7 @@ struct Controls {
   bool keep_volume = false;  ///< a closed surface keeps its volume
   bool operator==(const Controls&) const = default;
 };
+BURNISH_RECORD(Controls, pin_rims, cap, keep_volume)
 
 /// The controls of a new session.
 inline constexpr Controls kNewSessionControls{.pin_rims = true};

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "common/base/record.h"
 #include "common/base/status.h"
 
 namespace burnish {
@@ -14,6 +15,7 @@ struct Band {
   double gain = 1;  ///< 0 removes its details, 1 keeps them
   bool operator==(const Band&) const = default;
 };
+BURNISH_RECORD(Band, size, gain)
 
 /// Gains by the size of details. A band holds the details between the size of the band before and
 /// its own; longer ones than the last size stay. Without bands nothing changes.

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "common/base/record.h"
 #include "common/base/status.h"
 
 namespace burnish {
@@ -22,6 +23,7 @@ struct TextureFilter {
   /// Returns whether it changes more than the seams.
   bool changes_colours() const { return gain != 1 || remove_light != 0; }
 };
+BURNISH_RECORD(TextureFilter, gain, remove_light, level_seams)
 
 /// Describes it in a few words: "texture gain 2, light removed by 0.5, seams levelled by 1",
 /// without what is kept of the seams.

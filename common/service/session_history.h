@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "common/base/record.h"
 #include "common/edit/edit.h"
 #include "common/service/session_info.h"
 
@@ -19,6 +20,7 @@ struct HistoryEntry {
   std::string summary;
   bool enabled = true;
 };
+BURNISH_RECORD(HistoryEntry, number, edit_id, author, unix_ms, summary, enabled)
 
 inline constexpr uint32_t kHistoryPageEntriesMax = 1000;
 
@@ -28,6 +30,7 @@ struct HistoryWish {
   uint64_t after = 0;
   uint32_t count = kHistoryPageEntriesMax;
 };
+BURNISH_RECORD(HistoryWish, session, after, count)
 
 struct HistoryPage {
   std::vector<HistoryEntry> entries;  ///< by number

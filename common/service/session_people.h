@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/base/record.h"
 #include "common/base/types.h"
 #include "common/service/session_roles.h"
 
@@ -25,6 +26,7 @@ struct PresentUser {
   std::optional<BrushRing> ring;  ///< while the brush is over the surface
   bool operator==(const PresentUser&) const = default;
 };
+BURNISH_RECORD(PresentUser, connection, user, colour)
 
 /// Who may do what, and who is there.
 struct SessionPeople {

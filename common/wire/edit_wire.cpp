@@ -50,15 +50,12 @@ int number_of(uint32_t number) {
 
 Result<Stroke> stroke_from_wire(const v1::Stroke& message) {
   Stroke stroke;
-  stroke.brush.radius = message.brush().radius();
-  stroke.brush.strength = message.brush().strength();
-  stroke.brush.beta = message.brush().beta();
+  read_fields(message.brush(), stroke.brush);
   ASSIGN_OR_RETURN(stroke.brush.fall_off, fall_off_from_wire(message.brush().fall_off()));
   stroke.brush.band = number_of(message.brush().band());
   stroke.brush.curve = number_of(message.brush().curve());
   stroke.brush.colour = message.brush().colour();
   stroke.brush.edges = message.brush().edges();
-  stroke.brush.connected = message.brush().connected();
   for (const v1::Point& point : message.path()) stroke.path.push_back(from_wire(point));
   return stroke;
 }
@@ -212,15 +209,12 @@ Status check_edit_id(const std::string& id) {
 v1::Stroke to_wire(const Stroke& stroke) {
   v1::Stroke message;
   v1::Brush* brush = message.mutable_brush();
-  brush->set_radius(stroke.brush.radius);
-  brush->set_strength(stroke.brush.strength);
-  brush->set_beta(stroke.brush.beta);
+  write_fields(stroke.brush, *brush);
   brush->set_fall_off(fall_off_to_wire(stroke.brush.fall_off));
   if (stroke.brush.band > 0) brush->set_band(static_cast<uint32_t>(stroke.brush.band));
   if (stroke.brush.curve > 0) brush->set_curve(static_cast<uint32_t>(stroke.brush.curve));
   if (stroke.brush.colour) brush->set_colour(true);
   if (stroke.brush.edges) brush->set_edges(true);
-  brush->set_connected(stroke.brush.connected);
   for (const Vec3d& point : stroke.path) *message.add_path() = to_wire(point);
   return message;
 }
@@ -244,9 +238,7 @@ Result<TransferCurve> from_wire(const v1::SetTransferCurve& message) {
 
 v1::Controls to_wire(const Controls& controls) {
   v1::Controls message;
-  message.set_pin_rims(controls.pin_rims);
-  message.set_cap(controls.cap);
-  message.set_keep_volume(controls.keep_volume);
+  write_fields(controls, message);
   return message;
 }
 
@@ -256,11 +248,7 @@ Controls from_wire(const v1::Controls& message) {
 
 v1::Equaliser to_wire(const Equaliser& equaliser) {
   v1::Equaliser message;
-  for (const Band& band : equaliser.bands) {
-    v1::Band* sent = message.add_bands();
-    sent->set_size(band.size);
-    sent->set_gain(band.gain);
-  }
+  for (const Band& band : equaliser.bands) write_fields(band, *message.add_bands());
   return message;
 }
 
@@ -295,8 +283,7 @@ Result<Palette> from_wire(const v1::Palette& message) {
 
 v1::ColourFilter to_wire(const ColourFilter& filter) {
   v1::ColourFilter message;
-  message.set_alpha(filter.alpha);
-  message.set_beta(filter.beta);
+  write_fields(filter, message);
   return message;
 }
 
@@ -307,9 +294,7 @@ ColourFilter from_wire(const v1::ColourFilter& message, bool is_there) {
 
 v1::TextureFilter to_wire(const TextureFilter& filter) {
   v1::TextureFilter message;
-  message.set_gain(filter.gain);
-  message.set_remove_light(filter.remove_light);
-  message.set_level_seams(filter.level_seams);
+  write_fields(filter, message);
   return message;
 }
 

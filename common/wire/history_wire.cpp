@@ -22,9 +22,7 @@ static Result<EditKind> kind_from_wire(const v1::HistoryEntry& message) {
 
 v1::GetHistoryRequest to_wire(const HistoryWish& wish) {
   v1::GetHistoryRequest message;
-  message.set_session(wish.session);
-  message.set_after(wish.after);
-  message.set_count(wish.count);
+  write_fields(wish, message);
   return message;
 }
 
@@ -41,14 +39,9 @@ v1::GetHistoryResponse to_wire(const HistoryPage& page) {
   v1::GetHistoryResponse message;
   for (const HistoryEntry& entry : page.entries) {
     v1::HistoryEntry* added = message.add_entries();
-    added->set_number(entry.number);
-    added->set_edit_id(entry.edit_id);
-    added->set_author(entry.author);
-    added->set_unix_ms(entry.unix_ms);
+    write_fields(entry, *added);
     added->set_exact_kind(static_cast<v1::EntryKind>(entry_number(entry.kind)));
     added->set_kind(kind_for_older(added->exact_kind()));
-    added->set_summary(entry.summary);
-    added->set_enabled(entry.enabled);
   }
   message.set_complete(page.complete);
   return message;
@@ -57,9 +50,9 @@ v1::GetHistoryResponse to_wire(const HistoryPage& page) {
 Result<HistoryPage> from_wire(const v1::GetHistoryResponse& message) {
   HistoryPage page;
   for (const v1::HistoryEntry& entry : message.entries()) {
-    ASSIGN_OR_RETURN(const EditKind kind, kind_from_wire(entry));
-    page.entries.push_back({entry.number(), entry.edit_id(), entry.author(), entry.unix_ms(), kind,
-                            entry.summary(), entry.enabled()});
+    HistoryEntry& read = page.entries.emplace_back();
+    read_fields(entry, read);
+    ASSIGN_OR_RETURN(read.kind, kind_from_wire(entry));
   }
   page.complete = message.complete();
   return page;
@@ -113,15 +106,13 @@ v1::BrushRing to_wire(const BrushRing& ring) {
 
 v1::PresentUser to_wire(const PresentUser& user) {
   v1::PresentUser message;
-  message.set_connection(user.connection);
-  message.set_user(user.user);
-  message.set_colour(user.colour);
+  write_fields(user, message);
   if (user.ring) *message.mutable_ring() = to_wire(*user.ring);
   return message;
 }
 
 PresentUser from_wire(const v1::PresentUser& message) {
-  PresentUser user{message.connection(), message.user(), message.colour(), {}};
+  auto user = read_record<PresentUser>(message);
   if (message.has_ring())
     user.ring = BrushRing{from_wire(message.ring().centre()), message.ring().radius()};
   return user;
