@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "common/base/record.h"
 #include "common/base/server_place.h"
 #include "common/base/status.h"
 #include "common/edit/edit.h"
@@ -41,6 +42,7 @@ struct Welcome {
   std::string backend;                      ///< that solves: "cpu", "cuda"
   std::vector<std::string> fleet;           ///< addresses of all servers of the fleet; empty: none
 };
+BURNISH_RECORD(Welcome, connection, pages_fingerprint, backend, fleet)
 
 /// Credits that the server keeps for one client, frames.
 inline constexpr uint32_t kCreditsMax = 8;
@@ -56,6 +58,7 @@ struct FrameCredit {
   bool key_frame = false;         ///< the client holds no frame
   uint32_t frame_bytes = 0;       ///< wanted at most while the surface moves; 0: any size
 };
+BURNISH_RECORD(FrameCredit, frames, decoded, refused, key_frame, frame_bytes)
 
 /// Changes the pages that the client shows. A stream begins with revision 0, which shows nothing.
 struct ShowPages {
@@ -63,6 +66,7 @@ struct ShowPages {
   std::vector<PageId> added;
   std::vector<PageId> removed;
 };
+BURNISH_RECORD(ShowPages, revision, added, removed)
 
 /// Edits that take effect together or not at all: 1 to kEditsPerFrameMax.
 struct ApplyEdits {
@@ -110,6 +114,8 @@ struct FrameStats {
   double held_ms = 0;           ///< from the coming of that heartbeat until the frame went out
   double volume = 0;            ///< over the scan's, if the controls keep it; else 0
 };
+BURNISH_RECORD(FrameStats, exact, cycles, energy, residual, distance, edits, assemble_ms, solve_ms,
+               encode_ms, client_time_us, previews, held_ms, volume)
 
 struct LiveFrame {
   std::string data;  ///< in the frame format; empty: nothing has moved since the last frame

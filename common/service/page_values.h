@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/base/limits.h"
+#include "common/base/record.h"
 #include "common/pages/page.h"
 #include "common/service/session_info.h"
 
@@ -31,6 +32,7 @@ struct PageValues {
   /// Returns the value at a vertex. Needs: a vertex of the page.
   float at(size_t vertex) const;
 };
+BURNISH_RECORD(PageValues, page, low, high)
 
 /// Rounds one value per vertex. Needs: finite values.
 PageValues pack_page_values(PageId page, std::span<const float> values);

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "common/base/record.h"
+
 namespace burnish {
 
 /// Limit of the blocks and pages of one request.
@@ -16,6 +18,7 @@ struct PagesWish {
   std::vector<uint32_t> blocks;
   std::vector<uint32_t> pages;
 };
+BURNISH_RECORD(PagesWish, scan, blocks, pages)
 
 /// An encoded directory block or page, in the format of common/pages/page_format.h.
 struct PagePart {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/base/record.h"
 #include "common/service/scan_pages.h"
 
 namespace burnish {
@@ -31,6 +32,7 @@ struct SheetsWish {
   std::vector<SheetNumber> sheets;
   uint64_t version = 0;  ///< SheetsDescription::version
 };
+BURNISH_RECORD(SheetsWish, scan, blocks, charts, version)
 
 /// An encoded sheet, in the format of common/sheets/sheet_format.h.
 struct SheetPart {

@@ -17,12 +17,7 @@ struct ClientWriter {
     *message.mutable_greeting() = burnish::to_wire(greeting);
   }
   void operator()(const FrameCredit& credit) const {
-    v1::Credit& sent = *message.mutable_credit();
-    sent.set_frames(credit.frames);
-    sent.mutable_decoded()->Add(credit.decoded.begin(), credit.decoded.end());
-    sent.mutable_refused()->Add(credit.refused.begin(), credit.refused.end());
-    sent.set_key_frame(credit.key_frame);
-    sent.set_frame_bytes(credit.frame_bytes);
+    write_fields(credit, *message.mutable_credit());
   }
   void operator()(const ApplyEdits& apply) const {
     v1::ApplyEdits& sent = *message.mutable_apply();
@@ -45,10 +40,7 @@ struct ClientWriter {
     message.mutable_heartbeat()->set_client_time_us(beat.client_time_us);
   }
   void operator()(const ShowPages& change) const {
-    v1::ShowPages& sent = *message.mutable_show_pages();
-    sent.set_revision(change.revision);
-    sent.mutable_added()->Add(change.added.begin(), change.added.end());
-    sent.mutable_removed()->Add(change.removed.begin(), change.removed.end());
+    write_fields(change, *message.mutable_show_pages());
   }
 };
 
@@ -59,11 +51,7 @@ Result<FrameCredit> read_credit(const v1::Credit& message) {
     return invalid_argument("a credit names " + std::to_string(decoded) + " decoded and " +
                             std::to_string(refused) + " refused frames, the limit is " +
                             std::to_string(kCreditNamesMax));
-  return FrameCredit{message.frames(),
-                     {message.decoded().begin(), message.decoded().end()},
-                     {message.refused().begin(), message.refused().end()},
-                     message.key_frame(),
-                     message.frame_bytes()};
+  return read_record<FrameCredit>(message);
 }
 
 Result<Preview> read_preview(const v1::Preview& message) {
@@ -89,9 +77,7 @@ Result<ShowPages> read_show_pages(const v1::ShowPages& message) {
     return invalid_argument("a change adds " + std::to_string(added) + " pages and removes " +
                             std::to_string(removed) + ", the limit is " +
                             std::to_string(kShownPagesMax));
-  return ShowPages{message.revision(),
-                   {message.added().begin(), message.added().end()},
-                   {message.removed().begin(), message.removed().end()}};
+  return read_record<ShowPages>(message);
 }
 
 v1::FrameKind kind_to_wire(PageFrameKind kind) {

@@ -14,37 +14,13 @@ namespace {
 
 void write_stats(const FrameStats& stats, v1::Frame& message) {
   message.set_state(stats.settled ? v1::SOLVE_STATE_SETTLED : v1::SOLVE_STATE_SOLVING);
-  message.set_exact(stats.exact);
-  message.set_cycles(stats.cycles);
-  message.set_energy(stats.energy);
-  message.set_residual(stats.residual);
-  message.set_distance(stats.distance);
-  message.set_edits(stats.edits);
-  message.set_assemble_ms(stats.assemble_ms);
-  message.set_solve_ms(stats.solve_ms);
-  message.set_encode_ms(stats.encode_ms);
-  message.set_client_time_us(stats.client_time_us);
-  message.set_previews(stats.previews);
-  message.set_held_ms(stats.held_ms);
-  message.set_volume(stats.volume);
+  write_fields(stats, message);
 }
 
 FrameStats read_stats(const v1::Frame& message) {
   FrameStats stats;
   stats.settled = message.state() == v1::SOLVE_STATE_SETTLED;
-  stats.exact = message.exact();
-  stats.cycles = message.cycles();
-  stats.energy = message.energy();
-  stats.residual = message.residual();
-  stats.distance = message.distance();
-  stats.edits = message.edits();
-  stats.assemble_ms = message.assemble_ms();
-  stats.solve_ms = message.solve_ms();
-  stats.encode_ms = message.encode_ms();
-  stats.client_time_us = message.client_time_us();
-  stats.previews = message.previews();
-  stats.held_ms = message.held_ms();
-  stats.volume = message.volume();
+  read_fields(message, stats);
   return stats;
 }
 
@@ -71,11 +47,8 @@ struct ServerWriter {
   void operator()(const Welcome& welcome) const {
     v1::Welcome& sent = *message.mutable_welcome();
     *sent.mutable_session() = burnish::to_wire(welcome.session);
-    sent.set_connection(welcome.connection);
     sent.set_role(burnish::to_wire(welcome.role));
-    sent.set_pages_fingerprint(welcome.pages_fingerprint);
-    sent.set_backend(welcome.backend);
-    for (const std::string& address : welcome.fleet) sent.add_fleet(address);
+    write_fields(welcome, sent);
   }
   void operator()(LiveFrame& frame) const {
     message.mutable_frame()->set_data(std::move(frame.data));
@@ -119,10 +92,7 @@ Result<Welcome> read_welcome(const v1::Welcome& message) {
   Welcome welcome;
   ASSIGN_OR_RETURN(welcome.session, from_wire(message.session()));
   ASSIGN_OR_RETURN(welcome.role, from_wire(message.role()));
-  welcome.connection = message.connection();
-  welcome.pages_fingerprint = message.pages_fingerprint();
-  welcome.backend = message.backend();
-  welcome.fleet = {message.fleet().begin(), message.fleet().end()};
+  read_fields(message, welcome);
   return welcome;
 }
 

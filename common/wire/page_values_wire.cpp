@@ -25,9 +25,7 @@ Result<PageValuesWish> from_wire(const v1::GetPageValuesRequest& message) {
 
 v1::PageValues to_wire(const PageValues& values) {
   v1::PageValues message;
-  message.set_page(values.page);
-  message.set_low(values.low);
-  message.set_high(values.high);
+  write_fields(values, message);
   message.set_steps(std::string(values.steps.begin(), values.steps.end()));
   return message;
 }
@@ -39,10 +37,9 @@ Result<PageValues> from_wire(const v1::PageValues& message) {
   if (message.steps().size() > kPageVerticesMax)
     return data_loss(what + " are for " + std::to_string(message.steps().size()) +
                      " vertices, the limit is " + std::to_string(kPageVerticesMax));
-  return PageValues{message.page(),
-                    message.low(),
-                    message.high(),
-                    {message.steps().begin(), message.steps().end()}};
+  auto values = read_record<PageValues>(message);
+  values.steps.assign(message.steps().begin(), message.steps().end());
+  return values;
 }
 
 }  // namespace burnish

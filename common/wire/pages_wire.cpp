@@ -14,9 +14,7 @@ static std::vector<uint8_t> to_bytes(const std::string& text) {
 
 v1::FetchPagesRequest to_wire(const PagesWish& wish) {
   v1::FetchPagesRequest message;
-  message.set_scan(wish.scan);
-  message.mutable_blocks()->Assign(wish.blocks.begin(), wish.blocks.end());
-  message.mutable_pages()->Assign(wish.pages.begin(), wish.pages.end());
+  write_fields(wish, message);
   return message;
 }
 
@@ -27,9 +25,7 @@ Result<PagesWish> from_wire(const v1::FetchPagesRequest& message) {
     return invalid_argument("a request for " + std::to_string(parts) +
                             " blocks and pages is outside 1.." +
                             std::to_string(kPagePartsPerFetchMax));
-  return PagesWish{message.scan(),
-                   {message.blocks().begin(), message.blocks().end()},
-                   {message.pages().begin(), message.pages().end()}};
+  return read_record<PagesWish>(message);
 }
 
 v1::PagePart to_wire(const PagePart& part) {

@@ -18,11 +18,8 @@ static SheetNumber from_wire(const v1::SheetNumber& message) {
 
 v1::FetchSheetsRequest to_wire(const SheetsWish& wish) {
   v1::FetchSheetsRequest message;
-  message.set_scan(wish.scan);
-  message.mutable_blocks()->Assign(wish.blocks.begin(), wish.blocks.end());
-  message.mutable_charts()->Assign(wish.charts.begin(), wish.charts.end());
+  write_fields(wish, message);
   for (const SheetNumber& sheet : wish.sheets) *message.add_sheets() = to_wire(sheet);
-  message.set_version(wish.version);
   return message;
 }
 
@@ -34,11 +31,7 @@ Result<SheetsWish> from_wire(const v1::FetchSheetsRequest& message) {
     return invalid_argument("a request for " + std::to_string(parts) +
                             " blocks, charts and sheets is outside 1.." +
                             std::to_string(kSheetPartsPerFetchMax));
-  SheetsWish wish{message.scan(),
-                  {message.blocks().begin(), message.blocks().end()},
-                  {message.charts().begin(), message.charts().end()},
-                  {},
-                  message.version()};
+  auto wish = read_record<SheetsWish>(message);
   for (const v1::SheetNumber& sheet : message.sheets()) wish.sheets.push_back(from_wire(sheet));
   return wish;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "client/cli/filter/filter_options.h"
+#include "common/base/record.h"
 #include "common/base/status.h"
 #include "common/edit/edit.h"
 #include "common/mesh/rewrite/pictures/edited_pictures.h"
@@ -25,6 +26,7 @@ struct FilteredFacts {
   std::vector<std::string> left_out;  ///< attributes of IN that OUT does not have
   PictureReport pictures;             ///< of IN, with edited colours
 };
+BURNISH_RECORD(FilteredFacts, vertices, triangles, depth, corners, cycles, converged, distance)
 
 /// The files of one run.
 struct FilterPaths {

@@ -21,13 +21,7 @@ static std::string code_of(const Status& status) {
 }
 
 static void add_facts(const FilteredFacts& facts, ordered_json& json) {
-  json["vertices"] = facts.vertices;
-  json["triangles"] = facts.triangles;
-  json["depth"] = facts.depth;
-  json["corners"] = facts.corners;
-  json["cycles"] = facts.cycles;
-  json["converged"] = facts.converged;
-  json["distance"] = facts.distance;
+  add_fields(facts, json);
   json["volume"] = facts.volume ? ordered_json(*facts.volume) : ordered_json();
   json["seconds"] = facts.seconds;
   json["left_out"] = facts.left_out;
@@ -35,12 +29,7 @@ static void add_facts(const FilteredFacts& facts, ordered_json& json) {
   json["pictures"] = {{"edited", pictures.pictures}, {"changed", pictures.changed},
                       {"texels", pictures.texels},   {"shared_texels", pictures.shared_texels},
                       {"kept", pictures.kept},       {"notes", pictures.notes}};
-  if (const auto& seams = pictures.seams)
-    json["pictures"]["seams"] = {{"charts", seams->charts},
-                                 {"edges", seams->edges},
-                                 {"unknowns", seams->unknowns},
-                                 {"median_before", seams->median_before},
-                                 {"median_after", seams->median_after}};
+  if (pictures.seams) json["pictures"]["seams"] = json_of<ordered_json>(*pictures.seams);
 }
 
 static void add_failure(const Status& status, ordered_json& json) {

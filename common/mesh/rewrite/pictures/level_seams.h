@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/base/file_budget.h"
+#include "common/base/record.h"
 #include "common/base/status.h"
 #include "common/base/types.h"
 #include "common/mesh/io/textured_surface.h"
@@ -27,6 +28,7 @@ struct SeamReport {
   uint64_t unknowns = 0;  ///< of the system that was solved
   double median_before = 0, median_after = 0;
 };
+BURNISH_RECORD(SeamReport, charts, edges, unknowns, median_before, median_after)
 
 /// "seams of 12 charts levelled: median step 28.7 to 6.8 of 255", or "no seam between charts to
 /// level".
