@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/base/progress.h"
@@ -27,6 +28,7 @@
 #include "server/library/scan_catalogue.h"
 #include "server/library/scan_index.h"
 #include "server/library/scan_names.h"
+#include "server/library/shared_wishes.h"
 #include "server/library/staging_folder.h"
 #include "server/library/upload.h"
 #include "server/memory/quota.h"
@@ -148,8 +150,9 @@ class MeshStore {
 
   /// Describes a scan's sheets, with their seams levelled if it is wished. Makes missing and
   /// damaged ones now, and the pages before. The head is empty if the scan shows no picture. Keeps
-  /// levelled sheets of the last kLevelledSheetsMax wishes. Fails: as describe_pages(); data_loss
-  /// (damaged pages, which are made again with the next call).
+  /// levelled sheets of the last kLevelledSheetsMax wishes. A call that is cancelled makes them to
+  /// their end if another call waits for them. Fails: as describe_pages(); data_loss (damaged
+  /// pages, which are made again with the next call).
   Result<SheetsDescription> describe_sheets(const std::string& id, const Progress& progress,
                                             const SeamWish& seams = {},
                                             const std::string& user = {});
@@ -288,6 +291,8 @@ class MeshStore {
   MeshCache cache_;
   OpenPages pages_;
   OpenSheets sheets_;
+  using WishedSheets = SharedWishes<std::pair<std::string, uint64_t>>;  // of a scan and a version
+  WishedSheets wished_sheets_;
   KnownScans without_pictures_, maybe_with_pictures_;
   std::mutex wanted_mutex_;
   IsWanted is_wanted_;

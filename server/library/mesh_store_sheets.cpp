@@ -78,6 +78,7 @@ Result<std::shared_ptr<const ScanSheets>> MeshStore::open_sheets(const std::stri
   ASSIGN_OR_RETURN(const bool may_have_sheets, may_show_pictures(id, progress));
   if (!may_have_sheets) return std::shared_ptr<const ScanSheets>();
   ASSIGN_OR_RETURN(const auto pages, open_pages(id, progress));
+  const WishedSheets::Wish wish(wished_sheets_, {id, version});
   auto sheets = open_sheet_file(pages, version);
   if (sheets.is_ok() || !is_to_be_made(sheets.status().code())) return sheets;
   ASSIGN_OR_RETURN(auto turn, wait_to_prepare(id, user, progress));
@@ -86,7 +87,10 @@ Result<std::shared_ptr<const ScanSheets>> MeshStore::open_sheets(const std::stri
   if (sheets.status().code() != StatusCode::kNotFound)
     spdlog::warn("making sheets again: {}", sheets.status().message());
   if (without_pictures_.has(id)) return std::shared_ptr<const ScanSheets>();
-  ASSIGN_OR_RETURN(const bool is_made, make_sheets(*pages, seams, turn.progress(progress)));
+  const Progress for_all = [&](std::string_view phase, double fraction) {
+    return report(progress, phase, fraction) || wish.is_shared();  // others wait for these sheets
+  };
+  ASSIGN_OR_RETURN(const bool is_made, make_sheets(*pages, seams, turn.progress(for_all)));
   if (is_made) return open_sheet_file(pages, version);
   without_pictures_.add(id);
   return std::shared_ptr<const ScanSheets>();

@@ -35,7 +35,8 @@ Document::Document(OpenedDocument opened, Tasks& tasks, MessageLog& log, Recorde
       edits_known_(opened_.session.edits),
       told_{edits_known_, settings_},
       measuring_(opened_.connection, opened_.session.id, tasks, log),
-      noise_(opened_.connection, opened_.session.scan_id, tasks, log) {
+      noise_(opened_.connection, opened_.session.scan_id, tasks, log),
+      finder_(tasks, describe_sheets(), [this](const auto& found) { take_textures(found); }) {
   take_rims(opened_.state);
   if (has_colours()) colour_ = ColourBy::kScan;
   welcome_.session = opened_.session;
@@ -261,8 +262,8 @@ bool Document::is_settled() const {
 }
 
 bool Document::is_picture_settled() const {
-  const bool has_seams = !seams_asked_ || *seams_asked_ == seams_now();
-  return surface_->is_settled() && !is_finding_textures_ && has_seams && !is_fetching_values_ &&
+  const bool has_seams = !finder_.seams() || *finder_.seams() == seams_now();
+  return surface_->is_settled() && !finder_.is_finding() && has_seams && !is_fetching_values_ &&
          !is_fetching_over_;
 }
 

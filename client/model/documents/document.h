@@ -12,6 +12,7 @@
 #include "client/model/documents/measuring.h"
 #include "client/model/documents/recorder.h"
 #include "client/model/documents/scan_noise.h"
+#include "client/model/documents/sheet_finder.h"
 #include "client/model/tasks/message_log.h"
 #include "client/model/tasks/tasks.h"
 #include "client/surface/paged_surface.h"
@@ -147,7 +148,7 @@ class Document {
   /// Returns whether this view shows the scan's pictures.
   bool has_pictures() const { return surface_->textures() != nullptr; }
   /// Returns whether the server levels the seams of pictures, for this view to show them.
-  bool levels_seams() const { return is_finding_textures_ && seams_asked_->amount > 0; }
+  bool levels_seams() const { return finder_.is_finding() && finder_.seams()->amount > 0; }
 
   /// Bounds on what all edits do: as the user or the session set them last.
   const Controls& controls() const { return settings_.controls; }
@@ -248,15 +249,9 @@ class Document {
   void take_rims(const SessionState& state);
   void take_noise();
   std::optional<EdgeFilter> filter_for_paint() const;
-  /// The levelling of seams that the sheets of a session depend on.
-  struct Seams {
-    double amount = 0;
-    std::vector<uint64_t> protects;  ///< entries of the history that make the protected region
-    bool operator==(const Seams&) const = default;
-  };
   bool has_textures() const { return has_colours() && surface_->texture_bytes_max() > 0; }
-  Seams seams_now() const;
-  void follow_seams();
+  SeamsOfSession seams_now() const;
+  SheetFinder::Describe describe_sheets() const;
   void find_textures();
   void take_textures(const Result<SheetsDescription>& found);
   void retry_textures();
@@ -327,9 +322,9 @@ class Document {
   ScanNoise noise_;
   bool waits_for_noise_ = false;   // the edges that it proposes will be kept
   bool paints_for_noise_ = false;  // a stroke of kept edges came before the noise was known
-  bool is_finding_textures_ = false, has_no_textures_yet_ = false;  // the last finding failed
+  SheetFinder finder_;
+  bool has_no_textures_yet_ = false;  // the last finding failed
   bool renews_textures_ = false;      // the sheets are found again though they are the same
-  std::optional<Seams> seams_asked_;  // of the last finding; nothing before the first
   int texture_renewals_left_ = 0;     // of the sheets that are shown
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  // completions may outlive us
   std::unique_ptr<LiveLink> live_;                              // its thread calls the wake

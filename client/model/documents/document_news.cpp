@@ -125,7 +125,7 @@ void Document::handle(const LiveEvent& event) {
                    refresh_history();
                    if (colour_ == ColourBy::kBeta) forget_values();
                    forget_over();
-                   follow_seams();
+                   finder_.follow(seams_now());
                  },
                  [&](const ProgressReport& progress) { progress_ = progress; },
              },
@@ -166,7 +166,7 @@ void Document::refresh_history() {
       if (state && state->is_ok()) take_rims(**state);
       if (history.is_ok()) history_ = *history;
       if (history.is_ok()) forget_over();
-      follow_seams();
+      finder_.follow(seams_now());
       if (std::exchange(history_fetch_->again, false)) refresh_history();
     };
   });
@@ -331,8 +331,8 @@ static constexpr int kTextureRenewalsMax = 3;  // a server that always fails is 
 
 // Edits that the server has not acknowledged change no sheets. Older servers tell a protection as
 // cell fields.
-Document::Seams Document::seams_now() const {
-  Seams seams{told_.settings.texture.level_seams, {}};
+SeamsOfSession Document::seams_now() const {
+  SeamsOfSession seams{told_.settings.texture.level_seams, {}};
   if (seams.amount == 0) return seams;
   for (const HistoryEntry& entry : history_)
     if (entry.enabled && (entry.kind == EditKind::kProtect || entry.kind == EditKind::kCellFields))
@@ -340,48 +340,36 @@ Document::Seams Document::seams_now() const {
   return seams;
 }
 
-// One finding at a time: the newest wish is looked at when it ends.
-void Document::follow_seams() {
-  if (seams_asked_ && !is_finding_textures_ && *seams_asked_ != seams_now()) find_textures();
+SheetFinder::Describe Document::describe_sheets() const {
+  return [connection = opened_.connection, scan = opened_.session.scan_id,
+          session = opened_.session.id](const SeamsOfSession& seams, const Progress& progress) {
+    return connection->describe_sheets(scan, progress, seams.amount > 0 ? session : std::string());
+  };
 }
 
 // A server may have to bake the sheets first, so nobody waits for them. Vertices' colours come from
 // the pictures too: a scan without colours has no sheets. An older server knows none.
 void Document::find_textures() {
-  if (!has_textures()) return;
-  is_finding_textures_ = true;
-  seams_asked_ = seams_now();
-  tasks_.start([this, alive = std::weak_ptr(alive_), connection = opened_.connection,
-                scan = opened_.session.scan_id,
-                session = seams_asked_->amount > 0 ? opened_.session.id : std::string()](
-                   const StopToken& stop) -> Tasks::Completion {
-    const auto goes_on = [&](std::string_view, double) { return !stop.stop_requested(); };
-    const auto found = connection->describe_sheets(scan, goes_on, session);
-    return [this, alive, found] {
-      if (!alive.expired()) take_textures(found);
-    };
-  });
+  if (has_textures()) finder_.find(seams_now());
 }
 
 void Document::take_textures(const Result<SheetsDescription>& found) {
-  is_finding_textures_ = false;
   has_no_textures_yet_ = !found.is_ok();
   if (found.is_ok())
     show_textures(*found);
   else if (found.status().code() != StatusCode::kUnimplemented)
     log_.failure("textures", found.status());
-  follow_seams();
 }
 
 // A link that was lost may have taken the last finding with it.
 void Document::retry_textures() {
-  if (has_no_textures_yet_ && !is_finding_textures_) find_textures();
+  if (has_no_textures_yet_ && !finder_.is_finding()) find_textures();
 }
 
 // Another server of a fleet has no sheets until somebody describes them, nor one whose file is
 // damaged, or whose levelled sheets had to make room.
 void Document::renew_textures() {
-  if (is_finding_textures_ || texture_renewals_left_ == 0 || !surface_->take_sheet_damage()) return;
+  if (finder_.is_finding() || texture_renewals_left_ == 0 || !surface_->take_sheet_damage()) return;
   --texture_renewals_left_;
   renews_textures_ = true;
   find_textures();

@@ -1,5 +1,8 @@
 #include <atomic>
 #include <fstream>
+#include <functional>
+#include <future>
+#include <optional>
 #include <set>
 #include <thread>
 
@@ -327,6 +330,94 @@ TEST_F(LevelledStore, LevellingCanBeCancelledInEachPhase) {
               StatusCode::kCancelled)
         << cancelled;
   }
+  EXPECT_FALSE(fs::exists(path_of(seams_version({1}))));
+}
+
+/// Calls for levelled sheets, the second of which comes while the first one makes some.
+class WishedTogether : public LevelledStore {
+ protected:
+  ~WishedTogether() override {
+    if (second_.joinable()) second_.join();
+  }
+
+  Result<SheetsDescription> level_for(const std::string& user, double amount,
+                                      const Progress& progress) {
+    return library_.store->describe_sheets(scan_.id, progress, {amount}, user);
+  }
+
+  /// Wishes seams as the first caller, whose call is cancelled as soon as it levels and the second
+  /// one waits. `then` is called each time that it is asked again.
+  Status make_until_second_waits(double amount, double second_amount,
+                                 const std::function<void()>& then) {
+    bool has_second = false;
+    const Progress first = [&](std::string_view phase, double) {
+      if (has_second) then();
+      if (has_second || phase != "levelling seams") return !has_second;
+      has_second = true;
+      second_ = std::thread([this, second_amount] { wish_as_second(second_amount); });
+      is_waiting_.get_future().wait();
+      return false;
+    };
+    return level_for("ann", amount, first).status();
+  }
+
+  Result<SheetsDescription> second_result() {
+    second_.join();
+    return *second_result_;
+  }
+
+  std::atomic<bool> second_goes_on_{true};
+  std::set<std::string> second_phases_;
+
+ private:
+  void wish_as_second(double amount) {
+    const Progress progress = [&](std::string_view phase, double) {
+      if (second_phases_.empty()) is_waiting_.set_value();
+      second_phases_.emplace(phase);
+      return second_goes_on_.load();
+    };
+    second_result_ = level_for("bob", amount, progress);
+  }
+
+  std::promise<void> is_waiting_;
+  std::optional<Result<SheetsDescription>> second_result_;
+  std::thread second_;
+};
+
+TEST_F(WishedTogether, ACancelledCallMakesThemForSomebodyElseWhoWaits) {
+  bool is_asked = false;
+  const Status first = make_until_second_waits(1, 1, [&] { is_asked = true; });
+  EXPECT_TRUE(first.is_ok()) << first.to_string();
+  EXPECT_TRUE(is_asked);
+  const auto second = second_result();
+  ASSERT_TRUE(second.is_ok()) << second.status().to_string();
+  EXPECT_EQ(second->version, seams_version({1}));
+  EXPECT_EQ(second_phases_, std::set<std::string>{"waiting for another call for the scan"});
+  EXPECT_TRUE(read_of(second->version).is_ok());
+}
+
+TEST_F(WishedTogether, AnotherWishHasItsTurnOnceTheCallIsCancelled) {
+  bool is_asked = false;
+  const Status first = make_until_second_waits(1, 0.5, [&] { is_asked = true; });
+  EXPECT_EQ(first.code(), StatusCode::kCancelled);
+  EXPECT_FALSE(is_asked);
+  const auto second = second_result();
+  ASSERT_TRUE(second.is_ok()) << second.status().to_string();
+  EXPECT_EQ(second->version, seams_version({0.5}));
+  EXPECT_FALSE(fs::exists(path_of(seams_version({1}))));
+  const std::string made = content_of(path_of(second->version));
+  fs::remove(path_of(second->version));
+  library_.restart();
+  ASSERT_TRUE(level_for("ann", 0.5, {}).is_ok());
+  EXPECT_TRUE(content_of(path_of(second->version)) == made);
+}
+
+TEST_F(WishedTogether, NothingIsMadeOnceAllAreCancelled) {
+  const Status first = make_until_second_waits(1, 1, [&] {
+    if (!second_goes_on_.exchange(false)) return;
+    EXPECT_EQ(second_result().status().code(), StatusCode::kCancelled);
+  });
+  EXPECT_EQ(first.code(), StatusCode::kCancelled);
   EXPECT_FALSE(fs::exists(path_of(seams_version({1}))));
 }
 
