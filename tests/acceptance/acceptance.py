@@ -158,18 +158,23 @@ def ways_of(facts, server, page):
     return ways
 
 
+def opened_page(process, with_page, scan, stack):
+    """Returns the page of a server, which `stack` closes; None if there is none."""
+    if not with_page or not fronts.has_page(process.web):
+        print(f"{scan}: without the page", flush=True)
+        return None
+    page = fronts.Page(process.web)
+    stack.callback(page.close)
+    return page
+
+
 def try_scan(file, tried, table, with_page):
     facts = checks.facts_of(file)
     with contextlib.ExitStack() as stack:
         process = ServerProcess("--log-level", "warn", "--web", "127.0.0.1:0")
         stack.callback(process.close)
         server = fronts.Server(process.socket, file)
-        page = None
-        if with_page and fronts.has_page(process.web):
-            page = fronts.Page(process.web)
-            stack.callback(page.close)
-        else:
-            print(f"{file.stem}: without the page", flush=True)
+        page = opened_page(process, with_page, file.stem, stack)
         ways = ways_of(facts, server, page)
         folder = pathlib.Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="burnish-")))
         for case in tried:
@@ -184,16 +189,22 @@ def try_scan(file, tried, table, with_page):
                 table.add(file.stem, case.name, "FAILED", str(wrong) or traceback.format_exc())
 
 
-def try_pictures(vertices, table):
-    process = ServerProcess("--log-level", "warn")
-    try:
-        table.add("textured", "colours in pictures", "right", pictures.check_scan(process.socket, vertices))
-        before, after = pictures.check_seams(process.socket)
-        table.add("textured", "level seams", "right", f"median step {before:.1f} to {after:.1f}")
-    except (AssertionError, fronts.Refused, burnish.Error) as wrong:
-        table.add("textured", "colours in pictures", "FAILED", str(wrong) or traceback.format_exc())
-    finally:
-        process.close()
+def try_pictures(vertices, table, with_page):
+    with contextlib.ExitStack() as stack:
+        process = ServerProcess("--log-level", "warn", "--web", "127.0.0.1:0")
+        stack.callback(process.close)
+        page = opened_page(process, with_page, "textured", stack)
+        checks_of = {"colours in pictures": lambda: pictures.check_scan(process.socket, vertices),
+                     "level seams": lambda: seams_told(pictures.check_seams(process.socket, page))}
+        for case, check in checks_of.items():
+            try:
+                table.add("textured", case, "right", check())
+            except (AssertionError, fronts.Refused, burnish.Error) as wrong:
+                table.add("textured", case, "FAILED", str(wrong) or traceback.format_exc())
+
+
+def seams_told(steps):
+    return "steps: " + ", ".join(f"{way} {before:.1f} to {after:.1f}" for way, (before, after) in steps.items())
 
 
 def main(words=None):
@@ -216,7 +227,7 @@ def main(words=None):
         for file in files:
             try_scan(file, tried, table, not given.no_page)
         if not given.scans and not given.only:
-            try_pictures(3000 if given.short else 30_000, table)
+            try_pictures(3000 if given.short else 30_000, table, not given.no_page)
     print(table.markdown())
     if given.table:
         given.table.write_text(table.markdown(), encoding="utf-8")

@@ -1,5 +1,6 @@
 """The ways to a result. Each takes a scan's file and a case's settings, and writes a file."""
 
+import contextlib
 import dataclasses
 import json
 import os
@@ -112,6 +113,26 @@ class Server:
             lines = [*_script_lines(settings), "wait", f"export {out.name} exact"]
             script.write_text("\n".join(lines) + "\n", encoding="utf-8")
             page.follow(session.name, script, out)
+
+    @contextlib.contextmanager
+    def opened(self):
+        """A session while the block runs."""
+        with _deleted(self._open()) as session:
+            yield session
+
+    def shown_by_script(self, session, lines, out):
+        """Runs lines of a script in a session, and keeps the window's picture."""
+        script = out.with_suffix(".txt")
+        lines = [f"join {session.id}", "wait", "size 320x240", *lines, "wait", f"screenshot {out}"]
+        script.write_text("\n".join(lines) + "\n", encoding="utf-8")
+        run("--script", script, *self.at)
+
+    def shown_by_page(self, page, session, lines, out):
+        """Lets the page run them, and keeps its picture."""
+        script = out.with_suffix(".txt")
+        lines = [*lines, "wait", f"screenshot {out.name}"]
+        script.write_text("\n".join(lines) + "\n", encoding="utf-8")
+        page.follow(session.name, script, out)
 
     def by_python(self, settings, out):
         """By the Python package. Returns what is shown at rest."""

@@ -1,5 +1,6 @@
 """A textured scan: edited colours go into its pictures, alike by every front."""
 
+import functools
 import pathlib
 import struct
 import tempfile
@@ -16,6 +17,7 @@ GUTTER = 4  # texels that the change goes on beyond the triangles
 SMOOTH = [("--colour-beta", "0"), ("--colour-alpha", "5")]
 STRONG = [("--texture-gain", "2"), ("--remove-light", "0.5")]
 LEVEL = [("--level-seams", "1")]
+VIEW = ["camera 0 0", "colour scan", "light unlit"]
 
 
 def encoded(texels):
@@ -144,8 +146,11 @@ def _try_settings(scan, settings, gains, server):
     return told.strip().splitlines()[-1].split(", ")[-1]
 
 
-def check_seams(socket):
-    """Returns the median steps before and after. Raises AssertionError for what is not true."""
+def check_seams(socket, page):
+    """Returns the steps before and after, of the file and of each view. `page`: None without one.
+
+    Raises AssertionError for what is not true.
+    """
     with tempfile.TemporaryDirectory(prefix="burnish-") as name:
         folder = pathlib.Path(name)
         scan, seam = make_photos(folder)
@@ -163,7 +168,36 @@ def check_seams(socket):
             exported = folder / f"{way.__name__}.zip"
             way(LEVEL, exported)
             assert _entry(exported, "skin.png") == after, f"{way.__name__} differs from the filter"
-        return steps
+        return {"file": steps} | _check_views(server, page, steps, folder)
+
+
+def _check_views(server, page, of_file, folder):
+    """Levelled seams are as level in a view as in the file, and undo brings them back."""
+    shown = {"script": server.shown_by_script}
+    if page:
+        shown["page"] = functools.partial(server.shown_by_page, page)
+    found = {}
+    for name, show in shown.items():
+        with server.opened() as session:
+            steps = []
+            for lines in ([], ["texture 1 0 1"], ["undo"]):
+                out = folder / f"{name}{len(steps)}.png"
+                show(session, [*VIEW, *lines], out)
+                steps.append(_shown_step(decoded(out.read_bytes())))
+        for step, wanted in zip(steps, of_file):
+            assert abs(step - wanted) < 3, f"{name} shows a step of {step:.1f}, the file has {wanted:.1f}"
+        assert steps[1] <= 0.3 * steps[0], f"{name} shows a step from {steps[0]:.1f} to {steps[1]:.1f}"
+        assert abs(steps[2] - steps[0]) < 1, f"{name} shows a step of {steps[2]:.1f} after undo"
+        found[name] = steps[:2]
+    return found
+
+
+def _shown_step(picture):
+    """Returns the step in a picture of VIEW, whose seam is the middle column."""
+    rows, columns, _ = picture.shape
+    means = picture[rows * 2 // 5:rows * 3 // 5].astype(float).mean((0, 2))
+    middle, beside = columns // 2, columns // 40
+    return abs(means[middle - beside:middle - 1].mean() - means[middle + 1:middle + beside].mean())
 
 
 def make_photos(folder):
