@@ -59,6 +59,17 @@ TEST_F(FilterTextures, EditedColoursAreInThePictureBesideTheMeshAndInAnArchive) 
   EXPECT_NE(content("third/skin.png"), content("other/skin.png"));
 }
 
+TEST_F(FilterTextures, TrianglesWithoutAPictureKeepTheirColoursAndAreTold) {
+  std::string obj = content("scan.obj");
+  obj.insert(obj.rfind("\nf ", obj.rfind("\nf ") - 1) + 1, "usemtl bare\n");
+  folder_.write("scan.obj", obj);
+  const auto told = evened("scan.obj", "out.zip");
+  EXPECT_EQ(told["pictures"]["changed"], 1);
+  EXPECT_EQ(told["pictures"]["bare_triangles"], 2);
+  EXPECT_EQ(told["left_out"].at(0), "edited colours of 2 triangles without a picture");
+  EXPECT_THAT(output_, HasSubstr("out.zip: edited colours of 2 triangles without a picture\n"));
+}
+
 TEST_F(FilterTextures, TheScansOwnPictureIsReplacedByForceAlone) {
   const auto told = evened("scan.obj", "out.obj");
   EXPECT_THAT(told["left_out"].dump(), HasSubstr("edited colours"));

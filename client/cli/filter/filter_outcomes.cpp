@@ -26,9 +26,13 @@ static void add_facts(const FilteredFacts& facts, ordered_json& json) {
   json["seconds"] = facts.seconds;
   json["left_out"] = facts.left_out;
   const PictureReport& pictures = facts.pictures;
-  json["pictures"] = {{"edited", pictures.pictures}, {"changed", pictures.changed},
-                      {"texels", pictures.texels},   {"shared_texels", pictures.shared_texels},
-                      {"kept", pictures.kept},       {"notes", pictures.notes}};
+  json["pictures"] = {{"edited", pictures.pictures},
+                      {"changed", pictures.changed},
+                      {"texels", pictures.texels},
+                      {"shared_texels", pictures.shared_texels},
+                      {"bare_triangles", pictures.bare_triangles},
+                      {"kept", pictures.kept},
+                      {"notes", pictures.notes}};
   if (pictures.seams) json["pictures"]["seams"] = json_of<ordered_json>(*pictures.seams);
 }
 

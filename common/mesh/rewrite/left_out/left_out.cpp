@@ -117,14 +117,25 @@ Result<bool> keeps_changed_colours(const OriginalFile& original, MeshFormat to,
   return cancelled("reading the original was cancelled");
 }
 
+static const std::string kColoursOf = "edited colours of ";
+
+bool is_lost_in_any_format(std::string_view name) {
+  return name.starts_with(kColoursOf);
+}
+
 Result<std::vector<std::string>> edited_colours_left_out(const OriginalFile& original,
                                                          MeshFormat to, const SeamWish& seams,
                                                          const PictureReport& pictures,
                                                          const FileBudget& budget) {
   std::vector<std::string> names;
-  for (const std::string& kept : pictures.kept) names.push_back("edited colours of " + kept);
+  for (const std::string& kept : pictures.kept) names.push_back(kColoursOf + kept);
   ASSIGN_OR_RETURN(const bool is_kept, keeps_changed_colours(original, to, budget));
-  if (!is_kept && pictures.pictures == 0 && !pictures.seams) names.emplace_back("edited colours");
+  const bool has_pictures = pictures.pictures > 0 || pictures.seams;
+  if (!is_kept && !has_pictures) names.emplace_back("edited colours");
+  if (!is_kept && has_pictures && pictures.bare_triangles > 0)
+    names.push_back(kColoursOf + std::to_string(pictures.bare_triangles) +
+                    (pictures.bare_triangles == 1 ? " triangle" : " triangles") +
+                    " without a picture");
   if (seams.is_on() && !pictures.seams) names.emplace_back("levelled seams");
   return names;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "common/base/file_budget.h"
@@ -24,12 +25,15 @@ Result<bool> keeps_changed_colours(const OriginalFile& original, MeshFormat to,
                                    const FileBudget& budget = {});
 
 /// Names what a written file does not have of edited colours: all of them if neither vertices nor
-/// pictures have them, pictures that were kept, with the reason, and wanted seams that nobody
-/// levelled. Fails: likewise.
+/// pictures have them, those of triangles without a picture, pictures that were kept, with the
+/// reason, and wanted seams that nobody levelled. Fails: likewise.
 Result<std::vector<std::string>> edited_colours_left_out(const OriginalFile& original,
                                                          MeshFormat to, const SeamWish& seams,
                                                          const PictureReport& pictures,
                                                          const FileBudget& budget = {});
+
+/// Returns whether the scan's own format lacks this too: edited colours that pictures cannot have.
+bool is_lost_in_any_format(std::string_view name);
 
 inline constexpr size_t kLeftOutMax = 20;
 

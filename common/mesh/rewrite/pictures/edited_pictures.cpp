@@ -83,10 +83,14 @@ class PictureEdits {
     for (size_t t = 0; t < surface_.mesh.triangles.size(); ++t) {
       if (t % kHeardTriangles == 0) RETURN_IF_ERROR(ask(0));
       const uint32_t picture = shown_picture(surface_.textures, static_cast<uint32_t>(t));
-      if (picture == kNoTexture) continue;
+      const bool is_recoloured = edit_.changes(surface_.mesh.triangles[t]);
+      if (picture == kNoTexture) {
+        work_.report.bare_triangles += is_recoloured;
+        continue;
+      }
       uses_[picture].triangles.push_back(static_cast<uint32_t>(t));
-      uses_[picture].is_edited |= edit_.changes(surface_.mesh.triangles[t]) ||
-                                  (levelled_ && levelled_->changes(static_cast<uint32_t>(t)));
+      uses_[picture].is_edited |=
+          is_recoloured || (levelled_ && levelled_->changes(static_cast<uint32_t>(t)));
     }
     return Status::ok();
   }

@@ -22,6 +22,7 @@ struct PictureReport {
   uint32_t changed = 0;             ///< that are written with other texels
   uint64_t texels = 0;              ///< that changed
   uint64_t shared_texels = 0;       ///< of these: shown by several triangles, whose mean they get
+  uint64_t bare_triangles = 0;      ///< edited ones that show no picture
   std::vector<std::string> kept;    ///< pictures that edits should change, and why they do not
   std::vector<std::string> notes;   ///< what else is different in a changed picture
   std::optional<SeamReport> seams;  ///< if they were levelled

@@ -142,6 +142,19 @@ TEST(EditedPictures, OnlyThePictureOfAnArchiveChanges) {
   EXPECT_THAT(text_of(edited.report), HasSubstr("1 of 1 pictures changed"));
 }
 
+TEST(EditedPictures, EditedTrianglesWithoutAPictureAreCounted) {
+  std::string obj = TexturedGrid().obj();
+  obj.insert(obj.rfind("\nf ", obj.rfind("\nf ") - 1) + 1, "usemtl bare\n");
+  const std::string archive = as_string(
+      packed({{"skin.png", png_of(grid_skin())}, {"scan.obj", obj}, {"skin.mtl", kSkinMtl}}));
+  const Recoloured edited = recoloured(MeshFormat::kZip, archive, paint_right_side);
+  ASSERT_TRUE(edited.status.is_ok()) << edited.status.message();
+  EXPECT_EQ(edited.report.changed, 1u);
+  EXPECT_EQ(edited.report.bare_triangles, 2u);
+  const Recoloured same = recoloured(MeshFormat::kZip, archive, paint_nothing);
+  EXPECT_EQ(same.report.bare_triangles, 0u);
+}
+
 TEST(EditedPictures, APictureInAGlbGrowsAndWhatLiesBehindMoves) {
   // One colour packs to nothing; its edits do not.
   const Picture plain = drawn(120, 90, [](uint32_t x, uint32_t) {
