@@ -111,7 +111,7 @@ void add_change_options(CLI::App& command, EditOptions& options) {
   add_edge_options(*changes, options.filter);
   changes->add_option(
       "--stroke", options.stroke_file,
-      "File of strokes: 'brush RADIUS STRENGTH BETA FALLOFF [band:N|curve:N|colour|edges] "
+      "File of strokes: 'brush RADIUS STRENGTH BETA FALLOFF [band:N|curve:N|colour|edges|texture] "
       "[through]', then 'X Y Z' lines; 'through' paints through thin walls");
   changes->add_option("--cell-field", options.cell_field_file,
                       "File of cells: 'i j k alpha1 alpha2 beta' lines");

@@ -31,13 +31,14 @@ Status parse_painted(std::string_view word, Brush& brush) {
   brush.band = brush.curve = 0;
   brush.colour = word == "colour";
   brush.edges = word == "edges";
-  if (word == "beta" || brush.colour || brush.edges) return Status::ok();
+  brush.texture = word == "texture";
+  if (word == "beta" || brush.colour || brush.edges || brush.texture) return Status::ok();
   const size_t colon = word.find(':');
   const std::string_view what = word.substr(0, colon);
   if (colon == std::string_view::npos || (what != "band" && what != "curve"))
     return invalid_argument(
         "'" + std::string(word) +
-        "' is not what a brush paints: beta, colour, edges, band:NUMBER or curve:NUMBER");
+        "' is not what a brush paints: beta, colour, edges, texture, band:NUMBER or curve:NUMBER");
   ASSIGN_OR_RETURN((what == "band" ? brush.band : brush.curve),
                    parse_integer(word.substr(colon + 1)));
   if (brush.band != 0 || brush.curve != 0) return Status::ok();
@@ -48,6 +49,7 @@ std::string painted_word(const Brush& brush) {
   if (brush.band > 0) return "band:" + std::to_string(brush.band);
   if (brush.curve > 0) return "curve:" + std::to_string(brush.curve);
   if (brush.edges) return "edges";
+  if (brush.texture) return "texture";
   return brush.colour ? "colour" : "beta";
 }
 
@@ -132,12 +134,16 @@ static Status check_painted(const Brush& brush) {
   if (brush.band > 0 && brush.curve > 0)
     return invalid_argument("the brush paints band " + std::to_string(brush.band) + " and curve " +
                             std::to_string(brush.curve) + ", it must be one of them");
-  if ((brush.band > 0 || brush.curve > 0) + brush.colour + brush.edges > 1)
+  if ((brush.band > 0 || brush.curve > 0) + brush.colour + brush.edges + brush.texture > 1)
     return invalid_argument(
-        "the brush paints two of colour, edges, and a band or curve, it must be one of them");
+        "the brush paints two of colour, edges, texture, and a band or curve, it must be one of "
+        "them");
   if (brush.edges && brush.beta > brush.value_max())
     return invalid_argument("the brush paints strength " + shortest_text(brush.beta) +
                             " of kept edges, the limit is 0 to 1");
+  if (brush.texture && brush.beta > brush.value_max())
+    return invalid_argument("the brush paints texture gain " + shortest_text(brush.beta) +
+                            ", the limit is 0 to 4");
   return Status::ok();
 }
 

@@ -9,6 +9,7 @@
 #include "common/base/record.h"
 #include "common/base/status.h"
 #include "common/base/types.h"
+#include "common/edit/texture_filter.h"
 
 namespace burnish {
 
@@ -21,29 +22,32 @@ std::string_view name_of(FallOff fall_off);
 
 /// The airbrush of section 6.1: a ball in the original geometry that blends its β into the cells.
 /// It may instead paint the gain of a band, where a curve of the palette rules, the gradient scale
-/// of the colours, or the strength of kept edges.
+/// of the colours, the strength of kept edges, or the texture gain.
 struct Brush {
   double radius = 0;    ///< file units, > 0
   double strength = 1;  ///< (0, 1]: the blend weight at the centre of one dab
   double beta = 0;      ///< the painted gradient scale; or the painted gain, or strength to 1
   FallOff fall_off = FallOff::kSmooth;
-  int band = 0;         ///< of the equaliser, from 1; 0: paints no gain
-  int curve = 0;        ///< of the palette, from 1; 0: paints no curve
-  bool colour = false;  ///< paints the gradient scale of the colours
-  bool edges = false;   ///< paints the strength of kept edges
+  int band = 0;          ///< of the equaliser, from 1; 0: paints no gain
+  int curve = 0;         ///< of the palette, from 1; 0: paints no curve
+  bool colour = false;   ///< paints the gradient scale of the colours
+  bool edges = false;    ///< paints the strength of kept edges
+  bool texture = false;  ///< paints the texture gain
   /// Each dab reaches only the surface that hangs together within its ball, from the place that it
   /// touches. Otherwise it paints through walls, as strokes of earlier versions do.
   bool connected = false;
 
   /// Returns the most that it paints, and what leaves the scan as it was.
-  double value_max() const { return edges ? 1 : kBetaMax; }
+  double value_max() const { return edges ? 1 : texture ? kTextureGainMax : kBetaMax; }
   double keeping_value() const { return edges ? 0 : 1; }
+  /// Returns whether what it paints has limits of its own, other than those of β.
+  bool has_own_limits() const { return edges || texture; }
   bool operator==(const Brush&) const = default;
 };
 BURNISH_RECORD(Brush, radius, strength, beta, connected)
 
-/// Parses what a brush paints: "beta", "colour", "edges", "band:2" or "curve:1". Fails:
-/// invalid_argument.
+/// Parses what a brush paints: "beta", "colour", "edges", "texture", "band:2" or "curve:1".
+/// Fails: invalid_argument.
 Status parse_painted(std::string_view word, Brush& brush);
 
 /// Returns the word that parse_painted() takes.

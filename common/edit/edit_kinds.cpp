@@ -25,6 +25,7 @@ std::string painted_text(const Brush& brush) {
     return "band " + std::to_string(brush.band) + " at gain " + number(brush.beta);
   if (brush.curve > 0) return "curve " + std::to_string(brush.curve);
   if (brush.edges) return "edges kept at strength " + number(brush.beta);
+  if (brush.texture) return "texture gain " + number(brush.beta);
   return (brush.colour ? "colours at beta " : "beta ") + number(brush.beta);
 }
 
@@ -266,7 +267,7 @@ auto fact_of(EditKind kind) {
 
 EditEffects effects_of(const Brush& brush) {
   if (brush.curve > 0) return {.metric = true};
-  if (brush.band > 0 || brush.colour) return {.shown = true};
+  if (brush.band > 0 || brush.colour || brush.texture) return {.shown = true};
   return {.beta = true};
 }
 
@@ -275,7 +276,7 @@ EditEffects effects_of(const Brush& brush) {
 bool needs_colours(const Change& change) {
   const auto* stroke = std::get_if<Stroke>(&change);
   return std::holds_alternative<SetColour>(change) || std::holds_alternative<SetTexture>(change) ||
-         (stroke && stroke->brush.colour);
+         (stroke && (stroke->brush.colour || stroke->brush.texture));
 }
 
 bool makes_fields(EditKind kind) {

@@ -56,6 +56,7 @@ Result<Stroke> stroke_from_wire(const v1::Stroke& message) {
   stroke.brush.curve = number_of(message.brush().curve());
   stroke.brush.colour = message.brush().colour();
   stroke.brush.edges = message.brush().edges();
+  stroke.brush.texture = message.brush().texture();
   for (const v1::Point& point : message.path()) stroke.path.push_back(from_wire(point));
   return stroke;
 }
@@ -215,6 +216,7 @@ v1::Stroke to_wire(const Stroke& stroke) {
   if (stroke.brush.curve > 0) brush->set_curve(static_cast<uint32_t>(stroke.brush.curve));
   if (stroke.brush.colour) brush->set_colour(true);
   if (stroke.brush.edges) brush->set_edges(true);
+  if (stroke.brush.texture) brush->set_texture(true);
   for (const Vec3d& point : stroke.path) *message.add_path() = to_wire(point);
   return message;
 }

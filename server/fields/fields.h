@@ -91,17 +91,19 @@ class Fields {
   const PaintLayer* colour_paint() const { return layer(kColourLayer); }
   /// Returns the paint of the strength of kept edges, null without.
   const PaintLayer* edge_paint() const { return layer(kEdgesLayer); }
+  /// Returns the paint of the texture gain, null without.
+  const PaintLayer* texture_paint() const { return layer(kTextureLayer); }
   /// Returns whether edges are kept, everywhere or where it is painted.
   bool keeps_edges() const { return settings_.edges.is_on() || edge_paint(); }
   /// Sets where colours are kept: in the protected region, not at rims. Null: nowhere.
   void set_colour_hold(std::shared_ptr<const Hold> hold) { colour_hold_ = std::move(hold); }
   const std::shared_ptr<const Hold>& colour_hold() const { return colour_hold_; }
-  /// Returns how far each cell is edited, by β or by the gain of a band: 0 to 1. Kept edges do not
-  /// count.
+  /// Returns how far each cell is edited, by β or by the gain of a band: 0 to 1. Kept edges and the
+  /// texture gain do not count.
   std::vector<float> edited() const;
   /// Says what paint has changed: equal versions have equal paint, in copies too.
   struct PaintVersions {
-    uint64_t beta = 0, gains = 0, curves = 0, colour = 0, edges = 0;
+    uint64_t beta = 0, gains = 0, curves = 0, colour = 0, edges = 0, texture = 0;
   };
   const PaintVersions& paint_versions() const { return versions_; }
   double gradient_scale() const { return settings_.beta; }

@@ -113,7 +113,9 @@ void Fields::mark_painted(size_t layer) {
     alphas_are_old_ = true;
     versions_.curves = version;
   } else {
-    (layer == kColourLayer ? versions_.colour : versions_.edges) = version;
+    (layer == kColourLayer  ? versions_.colour
+     : layer == kEdgesLayer ? versions_.edges
+                            : versions_.texture) = version;
   }
 }
 

@@ -25,18 +25,20 @@ struct PaintLayer {
 };
 
 /// The kinds of paint: β, the gain of each band, where each curve of the palette rules, β of the
-/// colours, the strength of kept edges.
+/// colours, the strength of kept edges, the texture gain.
 inline constexpr size_t kBetaLayer = 0;
 inline constexpr size_t kFirstBandLayer = 1;
 inline constexpr size_t kFirstCurveLayer = kFirstBandLayer + kBandsMax;
 inline constexpr size_t kColourLayer = kFirstCurveLayer + kPaletteCurvesMax;
 inline constexpr size_t kEdgesLayer = kColourLayer + 1;
-inline constexpr size_t kPaintLayers = kEdgesLayer + 1;
+inline constexpr size_t kTextureLayer = kEdgesLayer + 1;
+inline constexpr size_t kPaintLayers = kTextureLayer + 1;
 
 inline size_t layer_of(const Brush& brush) {
   if (brush.band > 0) return kFirstBandLayer + static_cast<size_t>(brush.band) - 1;
   if (brush.curve > 0) return kFirstCurveLayer + static_cast<size_t>(brush.curve) - 1;
   if (brush.edges) return kEdgesLayer;
+  if (brush.texture) return kTextureLayer;
   return brush.colour ? kColourLayer : kBetaLayer;
 }
 

@@ -41,6 +41,7 @@ uint64_t LayerNeed::byte_count(const Multigrid& on) const {
     bytes += predict_session_bytes(on) + 2 * corners * sizeof(Vec3f) + 3 * cells * sizeof(float) +
              predict_fit_bytes(on) + predict_mesh_signal_bytes(*on.prepared);
   if (edits_texture_) bytes += predict_fit_bytes(on) + predict_light_bytes(on);
+  if (painted_[kTextureLayer]) bytes += predict_fit_bytes(on) + cells * sizeof(float);
   if (keeps_edges_) bytes += predict_edge_bytes(on);
   bool has_curves = false;
   for (size_t layer = kFirstBandLayer; layer < kPaintLayers; ++layer) {

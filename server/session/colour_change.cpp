@@ -19,9 +19,9 @@ PointChange change_at(const ColourChange& change, const SparseGrid& grid, const 
 PointChange with_texture(const ColourChange& change, const SparseGrid& grid,
                          const EvaluationPoint& at, Rgba8 colour, const Vec3f& filtered) {
   const TextureChange& texture = change.texture;
-  if (at.cell == kNone || !texture.filter.changes_colours()) return {filtered, 1};
+  if (at.cell == kNone || !texture.is_there()) return {filtered, 1};
   const float left = texture.held.empty() ? 1 : 1 - texture.held[at.cell];
-  const auto gain = 1 + left * static_cast<float>(texture.filter.gain - 1);
+  const float gain = 1 + left * (texture.gain(at.cell) - 1);
   const auto removed = left * static_cast<float>(texture.filter.remove_light);
   const float light =
       texture.light.empty() ? 1 : std::exp(removed * evaluate(grid, at, texture.light)(0));

@@ -14,6 +14,12 @@ struct TextureChange {
   TextureFilter filter;
   std::span<const CornerNumber> light;  ///< find_baked_light(); empty: no light goes
   std::span<const float> held;          ///< per cell: how much stays as it is; empty: nothing
+  std::span<const float> gains;         ///< per cell, in place of the filter's; empty: no paint
+
+  bool is_there() const { return filter.changes_colours() || !gains.empty(); }
+  float gain(int32_t cell) const {
+    return gains.empty() ? static_cast<float>(filter.gain) : gains[cell];
+  }
 };
 
 /// A change of colour on the grid and what it leaves of details that are finer than a cell. At a
@@ -25,7 +31,7 @@ struct ColourChange {
   std::span<const float> share;    ///< per cell, of the last solve on triangles; empty before it
   TextureChange texture = {};
 
-  bool is_there() const { return !on_grid.empty() || texture.filter.changes_colours(); }
+  bool is_there() const { return !on_grid.empty() || texture.is_there(); }
 };
 
 /// Says how much of the seams of a scan's pictures is levelled: in exports, and in sheets.

@@ -21,8 +21,24 @@ ColourChannel::ColourChannel(const Multigrid& on, const SolverOptions& options)
 ColourChannel::~ColourChannel() = default;
 
 void ColourChannel::want(const Fields& fields) {
-  texture_ = on_.prepared->colours.empty() ? TextureFilter() : fields.texture();
+  if (!on_.prepared->colours.empty()) want_texture(fields);
   want_filtered(fields);
+}
+
+// Paint covers the slider.
+void ColourChannel::want_texture(const Fields& fields) {
+  const uint64_t version = fields.paint_versions().texture;
+  const bool is_old = version != gains_version_ || fields.texture().gain != texture_.gain;
+  texture_ = fields.texture();
+  gains_version_ = version;
+  const PaintLayer* paint = fields.texture_paint();
+  if (paint == nullptr) gains_.clear();
+  if (paint == nullptr || !is_old) return;
+  gains_.resize(on_.prepared->cells.size());
+  const auto slider = static_cast<float>(texture_.gain);
+#pragma omp parallel for schedule(static)
+  for (size_t c = 0; c < gains_.size(); ++c)
+    gains_[c] = slider + paint->weight[c] * (paint->value[c] - slider);
 }
 
 void ColourChannel::want_filtered(const Fields& fields) {
@@ -163,10 +179,10 @@ void ColourChannel::show_to_solver() {
 ColourChange ColourChannel::change() const {
   ColourChange change;
   if (!is_kept_ && solver_) change = {solver_->displacement(), fitted_, share_};
-  if (!texture_.changes_colours() || lacks_fit() || lacks_light()) return change;
+  if (!changes_texture() || lacks_fit() || lacks_light()) return change;
   change.fitted = fitted_;
   change.texture = {texture_, texture_.remove_light > 0 ? light_ : std::span<const CornerNumber>(),
-                    hold_ ? hold_->weight : std::span<const float>()};
+                    hold_ ? hold_->weight : std::span<const float>(), gains_};
   return change;
 }
 
@@ -208,7 +224,7 @@ std::vector<TexelChange> ColourChannel::texels() const {
 uint64_t ColourChannel::byte_count() const {
   return (solver_ ? solver_->byte_count() : 0) + (mesh_ ? mesh_->byte_count() : 0) +
          fitted_.size() * sizeof(Vec3f) + light_.size() * sizeof(CornerNumber) +
-         (follow_.size() + own_.size() + share_.size()) * sizeof(float);
+         (follow_.size() + own_.size() + share_.size() + gains_.size()) * sizeof(float);
 }
 
 }  // namespace burnish

@@ -16,7 +16,8 @@ namespace burnish {
 /// colours in linear light in place of places, and with an α, β and paint of their own. A colour of
 /// the scan changes by the solver's result there. A solver of its own is made when colours are
 /// first edited. Colours know details finer than a cell, so once the grid is solved a few steps on
-/// the scan's own triangles follow. The texture filter takes no solve, only a fit.
+/// the scan's own triangles follow. The texture filter takes no solve, only a fit. Its gain may be
+/// painted.
 class ColourChannel {
  public:
   ColourChannel(const Multigrid& on, const SolverOptions& options);
@@ -45,10 +46,12 @@ class ColourChannel {
   uint64_t byte_count() const;
 
  private:
-  bool lacks_fit() const { return texture_.changes_colours() && fitted_.empty(); }
+  bool changes_texture() const { return texture_.changes_colours() || !gains_.empty(); }
+  bool lacks_fit() const { return changes_texture() && fitted_.empty(); }
   bool lacks_light() const { return texture_.remove_light > 0 && light_.empty(); }
   void fit();
   void want_filtered(const Fields& fields);
+  void want_texture(const Fields& fields);
   template <typename Use>
   void each_change(const Use& use) const;
   Status begin();
@@ -77,7 +80,8 @@ class ColourChannel {
   // What is wanted.
   ColourFilter filter_;
   TextureFilter texture_;
-  uint64_t paint_version_ = 0;
+  std::vector<float> gains_;  // per cell; empty: the gain is not painted
+  uint64_t paint_version_ = 0, gains_version_ = 0;
   std::shared_ptr<const Hold> hold_;
   TransferCurve curve_;
   std::vector<float> follow_, own_;  // per cell, as CellPaint has them

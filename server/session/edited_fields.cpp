@@ -238,7 +238,8 @@ Status EditedFields::replay_strokes(const Counting& wanted, const Progress& prog
   const Fields::PaintVersions& after = fields_.paint_versions();
   changes_ |= {.metric = after.curves != before.curves,
                .beta = after.beta != before.beta || after.edges != before.edges,
-               .shown = after.gains != before.gains || after.colour != before.colour};
+               .shown = after.gains != before.gains || after.colour != before.colour ||
+                        after.texture != before.texture};
   return painted;
 }
 

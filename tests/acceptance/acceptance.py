@@ -218,8 +218,8 @@ def main(words=None):
     parser.add_argument("scans", nargs="*", type=pathlib.Path)
     given = parser.parse_args(words)
     table = Table()
-    tried = (cases.PLAIN[:2] + cases.SINGLE + cases.LINES + cases.EDGES[:2] if given.short
-             else cases.PLAIN + cases.SINGLE + cases.LINES + cases.EDGES + cases.pairs(given.pairs))
+    tried = (cases.PLAIN[:2] + cases.SINGLE + cases.LINES + cases.PAINTED + cases.EDGES[:2] if given.short
+             else cases.PLAIN + cases.SINGLE + cases.LINES + cases.PAINTED + cases.EDGES + cases.pairs(given.pairs))
     tried = tuple(case for case in tried if not given.only or case.name in given.only)
     with tempfile.TemporaryDirectory(prefix="burnish-") as folder:
         files = given.scans or generated(SHORT_KINDS if given.short else KINDS,

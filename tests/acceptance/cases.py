@@ -78,6 +78,9 @@ SINGLE = tuple(Case(name, (*options, *(() if name in ("beta", "stroke") else (("
 # Any edit, as a script writes it.
 LINES = (_case("lines", ("--edit", f"curve {CURVE}"), ("--edit", "beta 0.3")),)
 
+TEXTURE_STROKE = ("--stroke", "2 texture")
+PAINTED = (_case("painted texture", ("--beta", "0.3"), TEXTURE_STROKE),)
+
 # Only the filter keeps edges.
 EDGES = (
     _case("edges", ("--keep-edges", "machined")),
@@ -109,7 +112,8 @@ def pairs(count, seed=1):
 
 def applies(case, facts):
     """Returns whether a scan can take the case: others are refused, which is tried as well."""
-    edits_colours = case.has("--colour-beta") or case.has("--texture-gain")
+    edits_colours = (case.has("--colour-beta") or case.has("--texture-gain")
+                     or TEXTURE_STROKE in case.options)
     if edits_colours and not facts.has_colours:
         return False
     if case.has("--keep-edges") and (case.has("--keep-volume") or case.has("--band")):

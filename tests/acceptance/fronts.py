@@ -301,7 +301,8 @@ def _stroke(text):
     radius, strength, beta, fall_off, paints = brush.split()
     curve = int(paints.split(":")[1]) if paints.startswith("curve:") else None
     return burnish.Stroke(burnish.Brush(float(radius), float(beta), float(strength), fall_off,
-                                        curve=curve, edges=paints == "edges"),
+                                        curve=curve, edges=paints == "edges",
+                                        texture=paints == "texture"),
                           [[float(x) for x in point.split()] for point in points])
 
 

@@ -84,6 +84,29 @@ TEST_F(FilterTextures, APictureInsideAGlbChangesInIt) {
   EXPECT_NE(content("out.glb"), content("scan.glb"));
 }
 
+Rgba8 texel(const Picture& picture, uint32_t x, uint32_t y) {
+  return picture.pixels[size_t{y} * picture.width + x];
+}
+
+TEST_F(FilterTextures, APaintedTextureGainIsInThePictureUnderItAlone) {
+  folder_.write("paint.txt", "brush 1.5 1 0 constant texture\n3 3 0\n");  // fades the middle
+  std::filesystem::create_directory(path("faded"));
+  ASSERT_EQ(burnish({"filter", path("scan.obj"), path("faded/scan.obj"), "--depth", "5",
+                     "--beta-paint", path("paint.txt")}),
+            0)
+      << output_;
+  EXPECT_EQ(content("faded/scan.obj"), content("scan.obj"));
+  const Picture before = read_picture(as_bytes(skin_), "skin").value();
+  const Picture after = read_picture(as_bytes(content("faded/skin.png")), "skin").value();
+  const auto step = [](const Picture& picture) {
+    return texel(picture, 33, 32)[0] - texel(picture, 30, 32)[0];
+  };
+  EXPECT_EQ(step(before), 130);
+  EXPECT_LT(step(after), 65);
+  for (const uint32_t far : {2U, 8U, 55U, 61U})
+    EXPECT_EQ(texel(after, far, far), texel(before, far, far));
+}
+
 TEST_F(FilterTextures, SeamsOfPhotosAreLevelledInThePictureAndTold) {
   const PhotoGrid grid;
   folder_.write("scan.obj", grid.obj());

@@ -65,6 +65,7 @@ Stroke RestlessEditor::stroke(double value) {
   const auto painted = random_() % 6;
   brush.colour = painted == 1;
   brush.edges = painted == 2 && !place_.has_bands;
+  brush.texture = painted == 3;
   return {brush, {centre}};
 }
 

@@ -15,6 +15,8 @@ namespace burnish {
 namespace {
 
 constexpr const char* kKeptEdges = "Strength of kept edges";
+constexpr const char* kTextureGain = "Texture gain";
+constexpr double kFirstTextureGain = 2;
 
 std::string band_label(const Document& document, int band) {
   return "Gain of " + details_of(document.equaliser(), static_cast<size_t>(band));
@@ -30,26 +32,29 @@ void forget_missing(const Document& document, Brush& brush) {
   if (brush.curve > static_cast<int>(document.palette().curves.size())) brush.curve = 0;
 }
 
-// A strength of kept edges is no β: the brush's β waits among the preferences.
+// A strength of kept edges and a texture gain are no β: the brush's β waits among the preferences.
 void paint_instead(const std::string& word, Brush& brush, Preferences& preferences) {
-  const bool painted_edges = brush.edges;
-  if (!painted_edges) preferences.brush_beta = brush.beta;
+  if (word == painted_word(brush)) return;
+  const bool painted_beta = !brush.has_own_limits();
+  if (painted_beta) preferences.brush_beta = brush.beta;
   (void)parse_painted(word, brush);  // it is a word of ours
-  if (brush.edges != painted_edges)
-    brush.beta = brush.edges ? brush.value_max() : preferences.brush_beta;
+  if (brush.edges) brush.beta = brush.value_max();
+  if (brush.texture) brush.beta = kFirstTextureGain;
+  if (!painted_beta && !brush.has_own_limits()) brush.beta = preferences.brush_beta;
 }
 
 std::string painted_label(const Document& document, const Brush& brush) {
   if (brush.band > 0) return band_label(document, brush.band);
   if (brush.curve > 0) return curve_label(document, brush.curve);
   if (brush.edges) return kKeptEdges;
+  if (brush.texture) return kTextureGain;
   return brush.colour ? "Gradient scale of colours" : "Gradient scale β";
 }
 
 }  // namespace
 
-// Draws the list of what the brush can paint: β, the strength of kept edges, the gain of a band, a
-// curve of the palette, the colours.
+// Draws the list of what the brush can paint: β, the strength of kept edges, the colours and their
+// texture gain, the gain of a band, a curve of the palette.
 static void draw_painted_choice(Workspace& workspace) {
   Document& document = *workspace.document();
   Brush& brush = document.brush().brush;
@@ -67,6 +72,7 @@ static void draw_painted_choice(Workspace& workspace) {
   choose("Gradient scale β", "beta");
   choose(kKeptEdges, "edges");
   if (document.has_colours()) choose("Gradient scale of colours", "colour");
+  if (document.has_colours()) choose(kTextureGain, "texture");
   for (int band = 1; band <= static_cast<int>(document.equaliser().bands.size()); ++band)
     choose(band_label(document, band), "band:" + std::to_string(band));
   for (int curve = 1; curve <= static_cast<int>(document.palette().curves.size()); ++curve)
@@ -94,7 +100,10 @@ static void draw_mode_buttons(Brush& brush) {
   };
   static constexpr Mode kBeta[] = {{"Smooth", 0}, {"Restore", 1}, {"Sharpen", 2}};
   static constexpr Mode kEdges[] = {{"Keep here", 0}, {"Denoise here", 1}};
-  const std::span<const Mode> modes = brush.edges ? std::span<const Mode>(kEdges) : kBeta;
+  static constexpr Mode kTexture[] = {{"Fade", 0}, {"Restore", 1}, {"Strengthen", 2}};
+  std::span<const Mode> modes = kBeta;
+  if (brush.edges) modes = kEdges;
+  if (brush.texture) modes = kTexture;
   const auto count = static_cast<float>(modes.size());
   const float gaps = (count - 1) * ImGui::GetStyle().ItemSpacing.x;
   const float width = (ImGui::GetContentRegionAvail().x - gaps) / count;
@@ -148,8 +157,9 @@ static void draw_painted_value(Workspace& workspace) {
   MessageLog& log = workspace.log;
   draw_painted_choice(workspace);
   if (brush.curve > 0) return;
-  if (brush.edges) {
-    linear_slider({{"Painted strength", 0, brush.value_max()}, "%.2f", log}, brush.beta);
+  if (brush.has_own_limits()) {
+    const char* const name = brush.edges ? "Painted strength" : "Painted gain";
+    linear_slider({{name, 0, brush.value_max()}, "%.2f", log}, brush.beta);
     return;
   }
   const char* const name = brush.band > 0 ? "Painted gain" : "Painted β";

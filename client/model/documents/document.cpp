@@ -274,7 +274,7 @@ void Document::apply(const Preset& preset, double strength) {
   last_preset_ = preset;
   settings_.beta = applied.beta;
   curve_.set_curve(applied.curve);
-  if (preset.brush_beta && !brush_.brush.edges) brush_.brush.beta = *preset.brush_beta;
+  if (preset.brush_beta && !brush_.brush.has_own_limits()) brush_.brush.beta = *preset.brush_beta;
   const bool has_bands = !applied.equaliser.bands.empty() || !equaliser().bands.empty();
   std::vector<Change> changes;
   if (has_bands) changes.push_back(SetEqualiser{std::move(applied.equaliser)});

@@ -153,7 +153,7 @@ void Workspace::save_preferences() {
     const Brush& brush = document_->brush().brush;
     preferences.brush_radius_part = brush.radius / document_->diagonal();
     preferences.brush_strength = brush.strength;
-    if (!brush.edges) preferences.brush_beta = brush.beta;
+    if (!brush.has_own_limits()) preferences.brush_beta = brush.beta;
     preferences.lighting = viewport.options.lighting;
     save_view();
   }

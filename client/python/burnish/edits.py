@@ -96,9 +96,9 @@ class Brush:
 
     It paints the gradient scale; or the gain of a `band` of the equaliser (from 1); or where a
     `curve` of the palette rules (from 1); or the gradient scale of the colours; or with `edges` the
-    strength of kept edges, where `beta` is 0 to keep noise and 1 to take it. It reaches the surface
-    that hangs together with the place that it touches; `through` reaches the other side of thin
-    walls too.
+    strength of kept edges, where `beta` is 0 to keep noise and 1 to take it; or with `texture` the
+    texture gain, 0 to 4. It reaches the surface that hangs together with the place that it touches;
+    `through` reaches the other side of thin walls too.
     """
 
     radius: float
@@ -109,18 +109,19 @@ class Brush:
     curve: int | None = None
     colour: bool = False
     edges: bool = False
+    texture: bool = False
     through: bool = False
 
     def __post_init__(self) -> None:
         check_fields(self, radius=float, beta=float, strength=float, fall_off=str, colour=bool,
-                     edges=bool, through=bool)
+                     edges=bool, texture=bool, through=bool)
         check_fields(self, optional=True, band=int, curve=int)
 
     def message(self) -> editing_pb2.Brush:
         if self.fall_off not in FALL_OFFS:
             raise ValueError(f"fall_off '{self.fall_off}' is not one of {', '.join(FALL_OFFS)}")
         paints = {"band": self.band, "curve": self.curve, "colour": self.colour or None,
-                  "edges": self.edges or None}
+                  "edges": self.edges or None, "texture": self.texture or None}
         given = {name: value for name, value in paints.items() if value is not None}
         if len(given) > 1:
             raise ValueError(f"a brush paints one thing, not {' and '.join(given)}")

@@ -100,6 +100,14 @@ class Edits(Sdk):
         self.session.apply(*[burnish.Stroke(brush, path) for brush in brushes])
         self.assertEqual(len(self.summaries()), 2)
 
+    def test_a_brush_paints_one_thing(self):
+        self.assertTrue(burnish.Brush(2, 4, texture=True).message().texture)
+        self.assertFalse(burnish.Brush(2).message().HasField("paints"))
+        with self.assertRaisesRegex(ValueError, "not colour and texture"):
+            burnish.Brush(2, colour=True, texture=True).message()
+        with self.assertRefused(burnish.FailedPrecondition, "no colours"):
+            self.session.apply(burnish.Stroke(burnish.Brush(2, texture=True), self.mesh.vertices[:1]))
+
     def test_cells_are_set_and_read(self):
         betas = self.session.cells("beta")
         np.testing.assert_array_equal(betas, 1)

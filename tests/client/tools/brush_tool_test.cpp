@@ -29,6 +29,11 @@ TEST(BrushTool, ControlMirrorsBetaAboutOneAndShiftRestores) {
   brush.edges = true;
   EXPECT_EQ(painted(0.75, BrushMode::kInvert), 0.25);
   EXPECT_EQ(painted(0.75, BrushMode::kRestore), 0);
+  brush.edges = false;
+  brush.texture = true;
+  EXPECT_EQ(painted(2, BrushMode::kInvert), 0);
+  EXPECT_EQ(painted(0, BrushMode::kInvert), 2);
+  EXPECT_EQ(painted(4, BrushMode::kRestore), 1);
 }
 
 TEST(BrushTool, AStrokeKeepsWhatTheCursorPassed) {

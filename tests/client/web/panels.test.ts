@@ -219,6 +219,26 @@ test("BrushPaintsItsBetaAgainAfterKeptEdges", () =>
     await visit.sent("brush 4 0.5 2 smooth beta");
   }));
 
+test("BrushOfTheTextureFadesOrStrengthens", () =>
+  bench.visitSession(async (visit) => {
+    const brush = { radius: 4, strength: 0.5, beta: 5, fallOff: "smooth", paints: "beta", through: false };
+    await visit.document({ brush });
+    const panel = visit.page.getByRole("region", { name: "Brush" });
+    await panel.getByRole("combobox", { name: "Paints" }).selectOption("Texture gain");
+    await visit.sent("brush 4 0.5 2 smooth texture");
+    await visit.document({ brush: { ...brush, beta: 2, paints: "texture" } });
+    await panel.getByRole("button", { name: "Strengthen", pressed: true }).waitFor();
+    await panel.getByRole("button", { name: "Fade" }).click();
+    await visit.sent("brush 4 0.5 0 smooth texture");
+    await panel.getByRole("textbox", { name: "Painted gain as a number" }).fill("3");
+    await visit.page.keyboard.press("Enter");
+    await visit.sent("brush 4 0.5 3 smooth texture");
+    await panel.getByRole("combobox", { name: "Paints" }).selectOption("Strength of kept edges");
+    await visit.sent("brush 4 0.5 1 smooth edges");
+    await panel.getByRole("combobox", { name: "Paints" }).selectOption("Gradient scale β");
+    await visit.sent("brush 4 0.5 5 smooth beta");
+  }));
+
 test("BrushIsOneLine", () =>
   bench.visitSession(async (visit) => {
     const panel = visit.page.getByRole("region", { name: "Brush" });

@@ -62,9 +62,14 @@ TEST(BrushWords, SayWhatABrushPaints) {
   ASSERT_TRUE(parse_painted("edges", brush).is_ok());
   EXPECT_TRUE(brush.edges);
   EXPECT_EQ(painted_word(brush), "edges");
+  ASSERT_TRUE(parse_painted("texture", brush).is_ok());
+  EXPECT_FALSE(brush.edges);
+  EXPECT_TRUE(brush.texture);
+  EXPECT_EQ(painted_word(brush), "texture");
   ASSERT_TRUE(parse_painted("beta", brush).is_ok());
   EXPECT_FALSE(brush.colour);
   EXPECT_FALSE(brush.edges);
+  EXPECT_FALSE(brush.texture);
   EXPECT_EQ(painted_word(brush), "beta");
   for (const char* word : {"band", "band:", "band:0", "curve:x", "gain:1"})
     EXPECT_FALSE(parse_painted(word, brush).is_ok()) << word;

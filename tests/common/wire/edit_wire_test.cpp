@@ -76,6 +76,7 @@ TEST(EditWire, EveryKindOfChangeComesBackUnchangedFromBytes) {
       {"u", SetColour{{7, 0.25}}},
       {"v", Stroke{{0.5, 0.75, 2, FallOff::kSharp, 0, 0, true}, {Vec3d(1, 2, 3)}}},
       {"w", Stroke{{.radius = 0.5, .beta = 2, .connected = true}, {Vec3d(1, 2, 3)}}},
+      {"x", Stroke{{.radius = 0.5, .beta = 2, .texture = true}, {Vec3d(1, 2, 3)}}},
       {"x", SetEdges{{0.5, NormalFilterKind::kEdges, 40, 7, 0.25}}},
       {"y", SetTexture{{0, 0.75, 0.5}}},
       {"z", SetCellFields{{{Vec3i(1, 2, 3), 0, 0, 0.5}}, CellTarget::kEdges}},

@@ -177,6 +177,73 @@ TEST(RemovedLight, OfAnEvenlyLitScanHardlyChangesIt) {
   EXPECT_GT(light_removed(scan, 1), 32);
 }
 
+Stroke texture_stroke(double gain) {
+  Stroke stroke{{0.5, 1, gain, FallOff::kConstant}, {Vec3d(0, 0, 1)}};
+  stroke.brush.texture = true;
+  return stroke;
+}
+
+constexpr double kNear = 0.2, kFar = 0.8;  // of that stroke: all cells there are painted, and none
+
+double to_stroke(const Vec3d& place) {
+  return (place - Vec3d(0, 0, 1)).norm();
+}
+
+TEST(Texture, ABrushPaintsItsGain) {
+  const TriangleMesh sphere = speckled_sphere();
+  const std::vector<Vec3f> fitted = fitted_colours(sphere, 4);
+  const auto session = session_over(sphere, 4);
+  const TriangleMesh shown = exact_surface(*session, {texture_stroke(2)});
+  const std::vector<TexelChange> texels = session->texels();
+  EXPECT_EQ(shown.vertices, sphere.vertices);
+  int painted = 0;
+  for (size_t v = 0; v < fitted.size(); ++v) {
+    if (to_stroke(sphere.vertices[v]) < kNear) {
+      const Vec3f before = linear_colour(sphere.colours[v]);
+      EXPECT_EQ(shown.colours[v], byte_colour(fitted[v] + 2 * (before - fitted[v])));
+      EXPECT_EQ(texels[v].gain, 2);
+      ++painted;
+    } else if (to_stroke(sphere.vertices[v]) > kFar) {
+      EXPECT_EQ(shown.colours[v], sphere.colours[v]);
+      EXPECT_TRUE(texels[v].is_none());
+    }
+  }
+  EXPECT_GT(painted, 10);
+  EXPECT_EQ(exact_surface(*session, {Undo{}}).colours, sphere.colours);
+  EXPECT_TRUE(session->texels().empty());
+}
+
+TEST(Texture, PaintCoversTheGainOfTheWholeScan) {
+  const TriangleMesh sphere = speckled_sphere();
+  const auto session = session_over(sphere, 4);
+  const TriangleMesh whole = exact_surface(*session, {SetTexture{{3, 0}}});
+  const TriangleMesh shown = exact_surface(*session, {texture_stroke(1)});
+  for (size_t v = 0; v < sphere.vertices.size(); ++v) {
+    const double away = to_stroke(sphere.vertices[v]);
+    if (away > kNear && away < kFar) continue;
+    EXPECT_EQ(shown.colours[v], (away < kNear ? sphere : whole).colours[v]);
+  }
+  EXPECT_EQ(exact_surface(*session, {Undo{}}).colours, whole.colours);
+  const TriangleMesh other = exact_surface(*session, {Redo{}, SetTexture{{0.5, 0}}});
+  const auto again = session_over(sphere, 4);
+  EXPECT_EQ(exact_surface(*again, {SetTexture{{0.5, 0}}, texture_stroke(1)}).colours,
+            other.colours);
+}
+
+TEST(Texture, ABrushOfItNeedsColours) {
+  const auto session = session_over(make_icosphere(3, 1));
+  const Status refused = session->edited().check_new({"t", texture_stroke(2)});
+  EXPECT_EQ(refused.code(), StatusCode::kFailedPrecondition);
+  EXPECT_THAT(refused.message(), HasSubstr("no colours"));
+}
+
+TEST(Texture, ABrushPaintsNoMoreThanTheSlider) {
+  EXPECT_TRUE(validate(texture_stroke(kTextureGainMax)).is_ok());
+  const Status refused = validate(texture_stroke(5));
+  EXPECT_EQ(refused.code(), StatusCode::kInvalidArgument);
+  EXPECT_THAT(refused.message(), HasSubstr("texture gain 5"));
+}
+
 TEST(Texture, IsKeptInTheProtectedRegion) {
   const TriangleMesh sphere = speckled_sphere();
   const auto session = session_over(sphere, 4);

@@ -2,6 +2,7 @@
 
 import { useRef } from "preact/hooks";
 import { command } from "./commands";
+import { kTextureGainMax } from "./colour_panel";
 import { useLink } from "./context";
 import { Button, Check, Choice, Row, Title } from "./controls";
 import { isViewer, type PanelProps } from "./filter_panel";
@@ -19,6 +20,16 @@ const kEdgeModes = [
   ["Keep here", 0],
   ["Denoise here", 1],
 ] as const;
+const kTextureModes = [
+  ["Fade", 0],
+  ["Restore", 1],
+  ["Strengthen", 2],
+] as const;
+/** What is no β: the buttons, the slider's name, its most, and the first value. */
+const kOwnValues: Record<string, { modes: readonly (readonly [string, number])[]; name: string; most: number; first: number }> = {
+  edges: { modes: kEdgeModes, name: "Painted strength", most: 1, first: 1 },
+  texture: { modes: kTextureModes, name: "Painted gain", most: kTextureGainMax, first: 2 },
+};
 const kFallOffs = [
   ["smooth", "Smooth"],
   ["linear", "Linear"],
@@ -26,12 +37,17 @@ const kFallOffs = [
   ["constant", "Constant"],
 ] as const;
 
+const kOfColours: [string, string][] = [
+  ["colour", "Gradient scale of colours"],
+  ["texture", "Texture gain"],
+];
+
 /** Returns what a brush of this session can paint, with the words of the window. */
 export function paintable(document: Document): [string, string][] {
   return [
     ["beta", "Gradient scale β"],
     ["edges", "Strength of kept edges"],
-    ...(document.hasColours ? ([["colour", "Gradient scale of colours"]] as [string, string][]) : []),
+    ...(document.hasColours ? kOfColours : []),
     ...document.bands.map((band, i): [string, string] => [`band:${i + 1}`, `Gain of ${band.details}`]),
     ...document.palette.map((one, i): [string, string] => [`curve:${i + 1}`, `Curve ${one.name}`]),
   ];
@@ -43,14 +59,14 @@ export function BrushPanel({ document }: PanelProps) {
   const disabled = isViewer(document);
   const paintsCurve = brush.paints.startsWith("curve:");
   const change = (part: Partial<Brush>) => link.send(command.brush({ ...brush, ...part }));
-  const beta = useRef(0); // of the brush, while it paints a strength of kept edges
+  const beta = useRef(0); // of the brush, while it paints something else
   const paintInstead = (paints: string) => {
-    const paintsEdges = paints === "edges";
-    if (paintsEdges === (brush.paints === "edges")) return change({ paints });
-    if (paintsEdges) beta.current = brush.beta;
-    change({ paints, beta: paintsEdges ? 1 : beta.current });
+    const [before, after] = [kOwnValues[brush.paints], kOwnValues[paints]];
+    if (before === after) return change({ paints });
+    if (!before) beta.current = brush.beta;
+    change({ paints, beta: after ? after.first : beta.current });
   };
-  const modes = brush.paints === "edges" ? kEdgeModes : kModes;
+  const modes = kOwnValues[brush.paints]?.modes ?? kModes;
   return (
     <>
       <Row>
@@ -123,19 +139,17 @@ export function BrushPanel({ document }: PanelProps) {
 
 function PaintedValue(props: PanelProps & { change: (part: Partial<Brush>) => void }) {
   const brush = props.document.brush;
-  const paintsEdges = brush.paints === "edges";
-  const name = paintsEdges
-    ? "Painted strength"
-    : brush.paints.startsWith("band:") ? "Painted gain" : "Painted β";
+  const own = kOwnValues[brush.paints];
+  const name = own?.name ?? (brush.paints.startsWith("band:") ? "Painted gain" : "Painted β");
   return (
     <>
       <Title text={name} />
       <Slider
         name={name}
         value={brush.beta}
-        scale={paintsEdges ? linear(0, 1) : betaScale}
+        scale={own ? linear(0, own.most) : betaScale}
         format={short}
-        tone={paintsEdges ? undefined : betaTone(brush.beta)}
+        tone={own ? undefined : betaTone(brush.beta)}
         disabled={isViewer(props.document)}
         onDone={(beta) => props.change({ beta })}
       />

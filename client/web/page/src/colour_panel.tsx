@@ -60,7 +60,7 @@ export function ColourPanel({ document }: PanelProps) {
   );
 }
 
-const kTextureGainMax = 4;
+export const kTextureGainMax = 4;
 
 function Texture({ document }: PanelProps) {
   const link = useLink();

@@ -143,7 +143,7 @@ export interface Brush {
   strength: number;
   beta: number;
   fallOff: FallOff;
-  /** "beta", "edges", "colour", "band:2" or "curve:1". */
+  /** "beta", "edges", "colour", "texture", "band:2" or "curve:1". */
   paints: string;
   /** Paints through thin walls too. */
   through: boolean;
