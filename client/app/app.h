@@ -14,6 +14,7 @@
 #include "client/app/overlay/toasts.h"
 #include "client/app/panels/panels.h"
 #include "client/app/start/start_page.h"
+#include "client/app/widgets/drawn_panel.h"
 #include "client/app/window/window.h"
 #include "client/app/window/window_renderer.h"
 #include "client/gl/fence.h"
@@ -104,9 +105,9 @@ class App {
   ProtectPanel protect_panel_;
   CurvePanel curve_panel_;
   BrushPanel brush_panel_;
-  EdgesPanel edges_panel_;
+  DrawnPanel edges_panel_{kEdgesPanel};
   EqualiserPanel equaliser_panel_;
-  ColourPanel colour_panel_;
+  DrawnPanel colour_panel_{kColourPanel};
   PalettePanel palette_panel_;
   HistoryPanel history_panel_;
   ViewPanel view_panel_;

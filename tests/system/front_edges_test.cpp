@@ -22,8 +22,12 @@ class KeptEdgesOfThePage : public FrontService {
     return until([this] { return is_settled(); });
   }
 
-  std::string noise() { return document()["edges"]["noise"]; }
-  std::string kept_edges() { return document()["edges"]["preset"]; }
+  std::string noise() { return noise_text(*front_.workspace().document()); }
+  const EdgeFilter& edges() { return front_.workspace().document()->edges(); }
+  std::string kept_edges() {
+    const EdgePreset* const preset = preset_of(edges());
+    return preset ? std::string(preset->name) : "";
+  }
 
   /// Has the server lose the files that were imported.
   void lose_originals() {
@@ -41,14 +45,14 @@ TEST_F(KeptEdgesOfThePage, EdgesForThisScanAreOneStepAndTheNoiseIsSaid) {
   EXPECT_EQ(noise(), "");
   line("unit mm");
   line("keep_edges auto");
-  EXPECT_EQ(noise_text(*front_.workspace().document()), "measuring the noise…");
+  EXPECT_EQ(noise(), "measuring the noise…");
   ASSERT_TRUE(until([this] { return is_settled() && document()["history"].size() == 2; }));
   EXPECT_THAT(noise(), HasSubstr("noise about 0.0"));
   ASSERT_TRUE(until([this] { return noise().ends_with(" mm"); }));
   EXPECT_EQ(kept_edges(), "machined");
   EXPECT_NE(document()["fidelity"], 50);
   line("undo");
-  ASSERT_TRUE(until([this] { return is_settled() && document()["edges"]["strength"] == 0; }));
+  ASSERT_TRUE(until([this] { return is_settled() && !edges().is_on(); }));
   EXPECT_EQ(document()["fidelity"], 50);
   line("keep_edges auto");  // the answer is known
   EXPECT_TRUE(until([this] { return is_settled() && document()["history"].size() == 4; }));
@@ -61,7 +65,7 @@ TEST_F(KeptEdgesOfThePage, AScanWithoutNoiseSaysSoAndChangesNothing) {
   EXPECT_THAT(noise(), HasSubstr("too little to take away"));
   line("beta 0.5");
   ASSERT_TRUE(until([this] { return is_settled() && document()["history"].size() == 1; }));
-  EXPECT_EQ(document()["edges"]["strength"], 0);
+  EXPECT_FALSE(edges().is_on());
 }
 
 TEST_F(KeptEdgesOfThePage, APresetOfEdgesThatIsRefusedChangesNothing) {
@@ -70,7 +74,7 @@ TEST_F(KeptEdgesOfThePage, APresetOfEdgesThatIsRefusedChangesNothing) {
   ASSERT_TRUE(until([this] { return is_settled() && document()["history"].size() == 1; }));
   line("keep_edges relief");
   ASSERT_TRUE(until([this] { return has_message("refused: bands cannot stand beside"); }));
-  EXPECT_TRUE(until([this] { return is_settled() && document()["edges"]["strength"] == 0; }));
+  EXPECT_TRUE(until([this] { return is_settled() && !edges().is_on(); }));
   EXPECT_EQ(document()["fidelity"], 50);
   EXPECT_EQ(owner_.history("clean")->size(), 1u);
 }
@@ -96,7 +100,7 @@ TEST_F(KeptEdgesOfThePage, TheBrushKeepsEdgesAsTheNoiseAsksUntilSomebodyChooses)
   line("brush 0.1 1 1 smooth edges");
   drag();  // the noise is not known yet
   ASSERT_TRUE(has(2));
-  EXPECT_EQ(document()["edges"]["strength"], 0);
+  EXPECT_FALSE(edges().is_on());
   EXPECT_EQ(kept_edges(), "machined");
   line("undo");
   line("undo");
@@ -109,7 +113,7 @@ TEST_F(KeptEdgesOfThePage, TheBrushKeepsEdgesAsTheNoiseAsksUntilSomebodyChooses)
   line("edges bilateral 0 50 8 0.5");
   drag();
   ASSERT_TRUE(has(6));
-  EXPECT_EQ(document()["edges"]["angle"], 50);
+  EXPECT_EQ(edges().edge_angle, 50);
 }
 
 TEST_F(KeptEdgesOfThePage, EdgesThatAreChosenWhileTheNoiseIsMeasuredStay) {

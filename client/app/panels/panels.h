@@ -44,12 +44,6 @@ class ProtectPanel : public Panel {
   std::optional<Vec3d> last_hover_;  // on the original surface
 };
 
-/// Takes noise away and keeps edges, before the filter smooths or sharpens.
-class EdgesPanel : public Panel {
- public:
-  void draw(Workspace& workspace) override;
-};
-
 /// Gains by the size of detail, over a plot of what they do.
 class EqualiserPanel : public Panel {
  public:
@@ -66,12 +60,6 @@ class PalettePanel : public Panel {
 
  private:
   std::string name_;  // of the next curve
-};
-
-/// The filter of the scan's colours.
-class ColourPanel : public Panel {
- public:
-  void draw(Workspace& workspace) override;
 };
 
 /// The airbrush.

@@ -5,14 +5,9 @@
 
 #include "client/model/input/typed_number.h"
 #include "client/model/tasks/message_log.h"
+#include "client/panels/widgets.h"
 
 namespace burnish {
-
-enum class SliderChange {
-  kStill,
-  kMoving,  ///< the value changed and may change again
-  kDone,    ///< the value is what the user wants
-};
 
 /// A value with a slider and a field to type into.
 struct ValueField {

@@ -33,6 +33,7 @@ static Status do_document_line(const FrontWords& line, FrontParts& parts) {
   Document* const document = parts.workspace.document();
   if (!document) return failed_precondition("no session is open");
   if (auto done = do_preview(line, *document)) return *done;
+  if (auto done = do_panel_line(line, parts.workspace)) return *done;
   if (auto done = do_plot(line, *document)) return *done;
   if (auto done = do_tool_line(line, parts)) return *done;
   if (auto done = do_view_line(line, parts)) return *done;

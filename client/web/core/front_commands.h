@@ -28,6 +28,7 @@ using FrontWords = ScriptLine;
 // By subject; each returns nothing for a command of another one.
 std::optional<Status> do_library_line(const FrontWords& line, FrontParts& parts);
 std::optional<Status> do_preview(const FrontWords& line, Document& document);
+std::optional<Status> do_panel_line(const FrontWords& line, Workspace& workspace);
 std::optional<Status> do_plot(const FrontWords& line, Document& document);
 std::optional<Status> do_tool_line(const FrontWords& line, FrontParts& parts);
 std::optional<Status> do_view_line(const FrontWords& line, FrontParts& parts);

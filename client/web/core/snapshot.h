@@ -12,10 +12,12 @@ namespace burnish {
 std::string snapshot_of(Workspace& workspace, FrontState& state);
 
 /// Writes the open session: a Document of the same file. Needs: a document.
-void write_document(const Workspace& workspace, const FrontState& state, JsonWriter& json);
+void write_document(Workspace& workspace, const FrontState& state, JsonWriter& json);
 
 /// Writes what its panels for editing show: members of a Document.
 void write_tools(const Workspace& workspace, const FrontState& state, JsonWriter& json);
+/// Writes the panels that the window has too: likewise.
+void write_panels(Workspace& workspace, JsonWriter& json);
 /// Writes what its panels for looking show: likewise.
 void write_view(const Workspace& workspace, JsonWriter& json);
 /// Writes the section, or null: likewise.

@@ -85,13 +85,14 @@ void write_people(const Document& document, JsonWriter& json) {
 
 }  // namespace
 
-void write_document(const Workspace& workspace, const FrontState& state, JsonWriter& json) {
+void write_document(Workspace& workspace, const FrontState& state, JsonWriter& json) {
   const Document& document = *workspace.document();
   json.open();
   json.text("session", document.session().name).text("sessionId", document.session().id);
   write_scan_facts(workspace, json);
   write_link(document, json);
   write_tools(workspace, state, json);
+  write_panels(workspace, json);
   write_history(document, json);
   write_people(document, json);
   write_view(workspace, json);

@@ -5,7 +5,6 @@
 #include "client/tools/band_choice.h"
 #include "client/web/core/snapshot.h"
 #include "common/base/ratio.h"
-#include "common/edit/proposed_edges.h"
 #include "common/edit/wavelength.h"
 
 namespace burnish {
@@ -43,22 +42,6 @@ void write_curve(const Document& document, JsonWriter& json) {
   json.number("contrast", curve.contrast());
   write_histogram(document.scan(), json);
   json.close();
-}
-
-void write_edges(const Document& document, JsonWriter& json) {
-  const EdgeFilter& edges = document.edges();
-  const EdgePreset* const preset = preset_of(edges);
-  json.key("edges").open().text("filter", std::string(name_of(edges.kind)));
-  const std::string own = document.keeps_edges_by_noise() ? kAutoEdges : "";
-  json.text("preset", preset ? std::string(preset->name) : own).number("strength", edges.strength);
-  json.number("angle", edges.edge_angle).whole("passes", edges.passes);
-  json.number("crispness", edges.crispness).number("meanEdge", document.mean_edge());
-  json.number("angleMin", kEdgeAngleMin).number("angleMax", kEdgeAngleMax);
-  json.whole("passesMax", kNormalPassesMax).text("noise", noise_text(document)).close();
-  json.key("edgePresets").open_list();
-  for (const EdgePreset& one : edge_presets())
-    json.open().text("name", std::string(one.name)).text("title", std::string(one.title)).close();
-  json.close_list();
 }
 
 void write_bands(const Document& document, JsonWriter& json) {
@@ -122,16 +105,9 @@ void write_tools(const Workspace& workspace, const FrontState& state, JsonWriter
   json.key("controls").open().flag("pinRims", controls.pin_rims).number("cap", controls.cap);
   json.flag("keepVolume", controls.keep_volume).close();
   json.text("rims", rims_text(document)).text("walls", walls_text(document));
-  write_edges(document, json);
+  json.flag("keepsEdges", document.edges().is_on());
   write_bands(document, json);
   write_palette(document, json);
-  json.key("colours").open().number("beta", document.colour_filter().beta);
-  json.number("alpha", document.colour_filter().alpha).close();
-  json.key("texture").open().number("gain", document.texture().gain);
-  json.number("removeLight", document.texture().remove_light);
-  json.number("levelSeams", document.texture().level_seams);
-  json.flag("hasPictures", document.has_pictures());
-  json.text("seams", seams_text(document)).close();
   write_brush(document.brush().brush, json);
   write_pointer(workspace, state, json);
 }

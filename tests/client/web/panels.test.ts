@@ -291,42 +291,39 @@ test("EdgesAreKeptByAPresetOrByValues", () =>
   bench.visitSession(async (visit) => {
     const panel = await visit.section("Keep edges");
     const choice = panel.getByRole("combobox", { name: "Kept edges" });
+    assert.equal(await choice.getAttribute("title"), "For reliefs and inscriptions");
     await choice.selectOption("Machined part");
-    await visit.sent("keep_edges machined");
+    await visit.sent("panel commit machined Keep edges/Kept edges");
     await panel.getByRole("slider", { name: "Strength of kept edges" }).fill("500");
-    await visit.sent("preview edges bilateral 0.5 35 4 0");
-    await visit.sent("edges bilateral 0.5 35 4 0");
+    await visit.sent("panel preview 0.5 Keep edges/Strength of kept edges");
+    await visit.sent("panel commit 0.5 Keep edges/Strength of kept edges");
     await panel.getByRole("textbox", { name: "Noise size as a number" }).fill("2");
     await visit.page.keyboard.press("Enter");
-    await visit.sent("edges bilateral 1 35 16 0");
+    await visit.sent("panel commit 2 Keep edges/Noise size");
     await panel.getByRole("textbox", { name: "Edge angle as a number" }).fill("200");
     await visit.page.keyboard.press("Enter");
-    await visit.sent("edges bilateral 1 120 4 0");
+    await visit.sent("panel commit 120 Keep edges/Edge angle");
     await visit.page.getByText("200 is outside 5 to 120").waitFor();
     await choice.selectOption("Off");
-    await visit.sent("edges off");
-    await visit.document({ bands: [], edges: { ...session.edges, strength: 0, preset: "" } });
-    await panel.getByRole("combobox", { name: "Kept edges" }).getByText("Off").waitFor({ state: "attached" });
-    await panel.getByRole("slider", { name: "Strength of kept edges" }).fill("250");
-    await visit.sent("edges bilateral 0.25 35 4 0");
+    await visit.sent("panel commit off Keep edges/Kept edges");
   }));
 
-test("EdgesForThisScanAreAskedOfTheServerWhichSaysTheNoise", () =>
+test("APanelFollowsItsWidgets", () =>
   bench.visitSession(async (visit) => {
     const panel = await visit.section("Keep edges");
     const choice = panel.getByRole("combobox", { name: "Kept edges" });
-    await visit.document({ bands: [], edges: { ...session.edges, strength: 0, preset: "" } });
-    await choice.getByText("Off").waitFor({ state: "attached" });
-    await choice.selectOption("For this scan");
-    await visit.sent("keep_edges auto");
-    const noise = "measuring the noise…";
-    await visit.document({ bands: [], edges: { ...session.edges, strength: 0, preset: "", noise } });
-    await panel.getByText(noise).waitFor();
-    assert.equal(await choice.inputValue(), "off");
-    assert.ok(await choice.isEnabled());
-    await visit.document({ edges: { ...session.edges, preset: "auto", noise: "noise about 0.12 mm" } });
+    const strength = panel.getByRole("slider", { name: "Strength of kept edges" });
+    const widgets = session.panels["Keep edges"]!;
+    const show = (shown: object[]) => visit.document({ panels: { "Keep edges": shown } });
+    await show([...widgets.map((one) => ({ ...one, disabled: true })), { kind: "text", name: "noise about 0.12 mm" }]);
     await panel.getByText("noise about 0.12 mm").waitFor();
-    assert.equal(await choice.inputValue(), "auto");
+    assert.ok(await choice.isDisabled());
+    assert.ok(await strength.isDisabled());
+    const own = { value: "", choices: [["off", "Off"], ["", "Own values"]] };
+    await show(widgets.map((one) => (one.kind === "choice" ? { ...one, ...own } : one)));
+    await choice.getByText("Own values").waitFor({ state: "attached" });
+    assert.equal(await choice.inputValue(), "");
+    assert.ok(await strength.isEnabled());
   }));
 
 test("EqualiserSendsAllBands", () =>
@@ -343,35 +340,18 @@ test("EqualiserSendsAllBands", () =>
     await visit.sent("bands 2:1 8:1");
     await panel.getByRole("button", { name: "Remove bands" }).click();
     await visit.sent("bands");
-    await visit.document({ bands: [], edges: { ...session.edges, strength: 0 } });
+    await visit.document({ bands: [], keepsEdges: false });
     await panel.getByRole("button", { name: "Make bands" }).click();
     await visit.sent("bands first");
   }));
 
-test("BandsAndKeptEdgesAreNotOfferedBesideEachOther", () =>
+test("BandsAndAVolumeThatStaysAreNotOfferedBesideKeptEdges", () =>
   bench.visitSession(async (visit) => {
-    const edges = await visit.section("Keep edges");
-    const choice = edges.getByRole("combobox", { name: "Kept edges" });
-    const strength = edges.getByRole("slider", { name: "Strength of kept edges" });
-    await visit.document({ edges: { ...session.edges, strength: 0, preset: "" } });
-    await edges.getByText("Remove them to keep edges").waitFor();
-    assert.ok((await choice.isDisabled()) && (await strength.isDisabled()));
     const bands = await visit.section("Equaliser");
-    await visit.document({ bands: [], edges: session.edges });
+    await visit.document({ bands: [], closed: true });
     await bands.getByText("Keep no edges to make them").waitFor();
     assert.ok(await bands.getByRole("button", { name: "Make bands" }).isDisabled());
-    assert.ok(await choice.isEnabled());
-  }));
-
-test("AVolumeThatStaysAndKeptEdgesAreNotOfferedBesideEachOther", () =>
-  bench.visitSession(async (visit) => {
-    const edges = await visit.section("Keep edges");
-    const controls = { ...session.controls, keepVolume: true };
-    await visit.document({ bands: [], controls, edges: { ...session.edges, strength: 0, preset: "" } });
-    await edges.getByText("Let it change to keep edges").waitFor();
-    assert.ok(await edges.getByRole("combobox", { name: "Kept edges" }).isDisabled());
     const limits = visit.page.getByRole("region", { name: "Limits" });
-    await visit.document({ closed: true, edges: session.edges });
     assert.ok(await limits.getByRole("checkbox", { name: "Volume stays" }).isDisabled());
   }));
 
@@ -396,21 +376,17 @@ test("ColoursAreFilteredAndShown", () =>
   bench.visitSession(async (visit) => {
     const panel = await visit.section("Colours");
     await panel.getByRole("button", { name: "Show colours" }).click();
-    await visit.sent("colour scan");
+    await visit.sent("panel commit press Colours/Show colours");
     await panel.getByRole("textbox", { name: "Gradient scale of colours as a number" }).fill("0.5");
     await visit.page.keyboard.press("Enter");
-    await visit.sent("colours 0.5 50");
+    await visit.sent("panel commit 0.5 Colours/Gradient scale of colours");
     await panel.getByRole("button", { name: "Keep colours" }).click();
-    await visit.sent("colours 1 50");
-    await panel.getByRole("textbox", { name: "Texture gain as a number" }).fill("2.5");
+    await visit.sent("panel commit press Colours/Keep colours");
+    const gain = panel.getByRole("textbox", { name: "Texture gain as a number" });
+    assert.equal(await gain.inputValue(), "1.00");
+    await gain.fill("2.5");
     await visit.page.keyboard.press("Enter");
-    await visit.sent("texture 2.5 0 0");
-    await panel.getByRole("textbox", { name: "Remove light as a number" }).fill("0.5");
-    await visit.page.keyboard.press("Enter");
-    await visit.sent("texture 1 0.5 0");
-    await panel.getByRole("textbox", { name: "Level seams as a number" }).fill("0.8");
-    await visit.page.keyboard.press("Enter");
-    await visit.sent("texture 1 0 0.8");
+    await visit.sent("panel commit 2.5 Colours/Texture gain");
   }));
 
 test("HistorySwitchesRestoresAndForks", () =>

@@ -1,6 +1,6 @@
 // A snapshot for tests: a server with two scans, and a session that shows every part of a panel.
 
-import type { Document, Library, Snapshot } from "../../../client/web/page/src/snapshot";
+import type { Document, Library, SliderWidget, Snapshot } from "../../../client/web/page/src/snapshot";
 
 const kNoon = 1_790_000_000;
 
@@ -19,6 +19,9 @@ export const library: Library = {
     { id: "s2", name: "a name that is much longer than the card on which it stands", scan: "b2", edits: 1, depth: 9, begun: kNoon, shown: kNoon },
   ],
 };
+
+const slider = (name: string, hint: string, value: number, low: number, high: number): SliderWidget =>
+  ({ kind: "slider", name, hint, disabled: false, value, low, high, scale: "linear", twoDecimals: false });
 
 const line = Array.from({ length: 49 }, (_, i) => 0.63 + 0.2 * Math.sin(i / 8));
 
@@ -65,31 +68,13 @@ export const session: Document = {
   rims: "rims: 3 of 5 stay",
   walls:
     "Walls: 24 % of the surface is thinner than a cell; an edit of one side moves the other.",
-  edges: {
-    filter: "bilateral",
-    preset: "relief",
-    strength: 1,
-    angle: 35,
-    passes: 4,
-    crispness: 0,
-    meanEdge: 0.5,
-    angleMin: 5,
-    angleMax: 120,
-    passesMax: 100,
-    noise: "",
-  },
-  edgePresets: [
-    { name: "machined", title: "Machined part" },
-    { name: "relief", title: "Relief and inscription" },
-  ],
+  keepsEdges: true,
   bands: [
     { size: 2, gain: 1, details: "finer than 2" },
     { size: 8, gain: 1.5, details: "2 to 8" },
   ],
   response: Array.from({ length: 97 }, (_, i) => 1 + 0.5 * Math.exp(-(((i - 40) / 14) ** 2))),
   palette: [{ name: "soft", colour: 0xd9534f, curve: "50" }],
-  colours: { beta: 1, alpha: 50 },
-  texture: { gain: 1, removeLight: 0, levelSeams: 0, hasPictures: true, seams: "" },
   brush: { radius: 4, strength: 0.5, beta: 0, fallOff: "smooth", paints: "beta", through: false },
   tool: "paint",
   lasso: "off",
@@ -98,6 +83,28 @@ export const session: Document = {
   hasPen: true,
   penPressure: true,
   hasPiece: true,
+  panels: {
+    "Keep edges": [
+      { kind: "text", name: "Noise goes, edges stay, and what is sharpened is the surface without its noise." },
+      {
+        kind: "choice",
+        name: "Kept edges",
+        hint: "For reliefs and inscriptions",
+        disabled: false,
+        value: "relief",
+        choices: [["off", "Off"], ["auto", "For this scan"], ["machined", "Machined part"], ["relief", "Relief and inscription"]],
+      },
+      slider("Strength of kept edges", "How much of the noise goes", 1, 0, 1),
+      slider("Edge angle", "Degrees: sharper bends are edges, and stay", 35, 5, 120),
+      { ...slider("Noise size", "Noise of up to about this length goes, in the scan's units.", 1, 0.5, 5), scale: "logarithmic" },
+    ],
+    Colours: [
+      { kind: "button", name: "Show colours", disabled: false },
+      { ...slider("Gradient scale of colours", "Left evens the colours out.", 1, 0, 10), scale: "beta" },
+      { kind: "button", name: "Keep colours", hint: "Sets the gradient scale to 1. Painted colours stay painted.", disabled: false },
+      { ...slider("Texture gain", "Left fades them, right makes them stronger", 1, 0, 4), twoDecimals: true },
+    ],
+  },
   history: [
     { number: 4, kind: "edit", enabled: true, summary: "stroke of 12 dabs, β 0", author: "mia", time: kNoon, superseded: false },
     { number: 3, kind: "checkpoint", enabled: true, summary: "before carving", author: "ole", time: kNoon, superseded: false },

@@ -75,6 +75,7 @@ core_folder(client/model/settings EXCEPT connection_form lighting_toml preferenc
 core_folder(client/model/documents EXCEPT recorder_file)
 core_folder(client/model/view EXCEPT raw_scan_file view_state)
 core_folder(client/model/workspace EXCEPT leaving letters session_picture_files workspace_raw_file)
+core_folder(client/panels)
 core_folder(client/script EXCEPT lone_script)
 core_folder(client/web/core)
 core_folder(client/web/core/transport)
@@ -111,7 +112,7 @@ core_program(core_raster client/raster client/web/core/raster)
 
 # For tests under Node: the code of the core that reads what others have written, without a page.
 file(GLOB checks ${root}/tests/client/web/core/wasm/checks.cpp ${root}/tests/client/web/core/wasm/exports.cpp)
-list(FILTER shared EXCLUDE REGEX "^client_(connection|model_[a-z]+|script|web_core(_host|_transport)?)$")
+list(FILTER shared EXCLUDE REGEX "^client_(connection|model_[a-z]+|panels|script|web_core(_host|_transport)?)$")
 list(TRANSFORM shared REPLACE "(.+)" "$<TARGET_OBJECTS:\\1>" OUTPUT_VARIABLE objects)
 add_executable(checks EXCLUDE_FROM_ALL ${checks} ${objects} $<TARGET_OBJECTS:protobuf>)
 set_target_properties(checks PROPERTIES SUFFIX .wasm)

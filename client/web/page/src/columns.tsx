@@ -2,10 +2,8 @@
 
 import { useEffect, useState } from "preact/hooks";
 import { BrushPanel } from "./brush_panel";
-import { ColourPanel } from "./colour_panel";
 import { Section, Figures } from "./controls";
 import { CurvePanel } from "./curve_panel";
-import { EdgesPanel } from "./edges_panel";
 import { EqualiserPanel } from "./equaliser_panel";
 import { FilterPanel, type PanelProps, type PresetProps } from "./filter_panel";
 import { Gradual } from "./gradual";
@@ -16,6 +14,7 @@ import { NumbersPanel } from "./numbers_panel";
 import { PalettePanel } from "./palette_panel";
 import { PeoplePanel } from "./people_panel";
 import { CameraPanel, ViewPanel } from "./view_panel";
+import { WidgetPanel } from "./widget_panel";
 
 const kWide = "(min-width: 960px)";
 
@@ -51,7 +50,7 @@ export function EditColumn(props: PresetProps & { children?: preact.ComponentChi
           <LimitsPanel document={document} />
         </Section>
         <Section name="Keep edges" folded>
-          <EdgesPanel document={document} />
+          <WidgetPanel document={document} name="Keep edges" />
         </Section>
         <Section name="Equaliser" folded>
           <EqualiserPanel document={document} />
@@ -61,7 +60,7 @@ export function EditColumn(props: PresetProps & { children?: preact.ComponentChi
         </Section>
         {document.hasColours && (
           <Section name="Colours" folded>
-            <ColourPanel document={document} />
+            <WidgetPanel document={document} name="Colours" />
           </Section>
         )}
         {props.children}

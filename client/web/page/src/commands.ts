@@ -1,6 +1,6 @@
 // The lines that the page sends. Lines of the script language do the same in `burnish --script`.
 
-import type { Brush, ColourBy, Edges, FallOff, Lasso, Light, Role, Tool, UpAxis } from "./snapshot";
+import type { Brush, ColourBy, FallOff, Lasso, Light, Role, Tool, UpAxis } from "./snapshot";
 
 /** A line of a front: its form and its meaning. */
 export interface FrontCommand {
@@ -14,11 +14,9 @@ export const frontCommands: readonly FrontCommand[] = [
   { form: "preview preset NAME STRENGTH", means: "shows a strength of a preset during a drag; `preset` ends it" },
   { form: "preview fidelity ALPHA", means: "shows a fidelity during a drag; `fidelity ALPHA` ends it" },
   { form: "preview bands [SIZE:GAIN]...", means: "shows bands during a drag; `bands` ends it" },
-  { form: "preview edges FILTER STRENGTH ANGLE PASSES CRISPNESS", means: "shows kept edges during a drag" },
   { form: "preview palette CURVE RRGGBB NAME [; ...]", means: "shows a palette during a drag" },
-  { form: "preview colours BETA ALPHA", means: "shows a filter of colours during a drag" },
-  { form: "preview texture GAIN LIGHT SEAMS", means: "the same for the texture" },
   { form: "preview controls PIN CAP KEEP", means: "shows controls during a drag" },
+  { form: "panel preview|commit VALUE PANEL/WIDGET", means: "moves a slider, or lets it go; chooses; presses a button" },
   { form: "plot grab X Y REACH_X REACH_Y", means: "takes the curve's point there, or adds one" },
   { form: "plot take N", means: "takes the curve's point N, from 0" },
   { form: "plot drag X Y", means: "moves the taken point to a place of the plot, 0 to 1" },
@@ -93,16 +91,11 @@ export const command = {
   presetKeep: (text: string) => words("preset_keep", name(text)),
   presetDelete: (text: string) => words("preset_delete", text),
   controls: (pin: boolean, cap: number, keep: boolean) => words("controls", onOff(pin), cap, onOff(keep)),
-  keepEdges: (preset: string) => words("keep_edges", preset),
-  edges: (edges: Edges) =>
-    words("edges", edges.filter, edges.strength, edges.angle, edges.passes, edges.crispness),
-  noEdges: () => "edges off",
   bands: bandsText,
   firstBands: () => "bands first",
   palette: paletteText,
-  colours: (beta: number, alpha: number) => words("colours", beta, alpha),
-  texture: (gain: number, removeLight: number, levelSeams: number) => words("texture", gain, removeLight, levelSeams),
   preview: (line: string) => "preview " + line,
+  panel: (how: "preview" | "commit", value: number | string, place: string) => words("panel", how, value, place),
 
   curve: (text: string) => words("curve", text),
   plotGrab: (x: number, y: number, reachX: number, reachY: number) =>

@@ -25,10 +25,10 @@ export function EqualiserPanel({ document }: PanelProps) {
           label="Make bands"
           class="wide"
           hint="Splits the surface's detail by size. Each band gets a gain, and a brush can paint it."
-          disabled={disabled || document.edges.strength > 0}
+          disabled={disabled || document.keepsEdges}
           onClick={() => link.send(command.firstBands())}
         />
-        {document.edges.strength > 0 && (
+        {document.keepsEdges && (
           <div class="faint">Bands have the scan's noise. Keep no edges to make them.</div>
         )}
       </>

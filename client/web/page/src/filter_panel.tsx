@@ -12,9 +12,9 @@ const kAlphaMax = 1e5;
 const kFidelityMin = 1;
 
 /** The wavelength of alpha, and the other way round. Units: as the scan's. */
-export const swapAlpha = (document: Document, value: number) =>
+const swapAlpha = (document: Document, value: number) =>
   (2 * Math.PI * document.lengthUnit) / value;
-export const alphaOf = (document: Document, wavelength: number) =>
+const alphaOf = (document: Document, wavelength: number) =>
   Math.min(kAlphaMax, Math.max(kAlphaMin, swapAlpha(document, wavelength)));
 
 export interface PanelProps {

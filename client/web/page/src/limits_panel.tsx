@@ -48,7 +48,7 @@ function ControlChecks({ document }: PanelProps) {
       <Check
         label="Volume stays"
         on={keepVolume}
-        disabled={disabled || !document.closed || document.edges.strength > 0}
+        disabled={disabled || !document.closed || document.keepsEdges}
         hint="A closed scan keeps its volume. An open scan has none. Not while edges are kept."
         onChange={(on) => link.send(command.controls(pinRims, cap, on))}
       />

@@ -110,25 +110,6 @@ export interface Curve {
   histogram: number[];
 }
 
-/** How edges are kept; off at strength 0. */
-export interface Edges {
-  filter: string;
-  /** Of a preset; "auto": as the scan's noise asks; empty: values of one's own. */
-  preset: string;
-  strength: number;
-  /** Degrees. */
-  angle: number;
-  passes: number;
-  crispness: number;
-  /** Of the scan, in its units. */
-  meanEdge: number;
-  angleMin: number;
-  angleMax: number;
-  passesMax: number;
-  /** How large the scan's noise is, in words; empty before anybody asks. */
-  noise: string;
-}
-
 export interface Band {
   size: number;
   gain: number;
@@ -207,6 +188,30 @@ export interface Lighting {
   ridge: number;
   valley: number;
 }
+
+interface UsableWidget {
+  /** Unique in its panel. */
+  name: string;
+  hint?: string;
+  disabled: boolean;
+}
+
+export interface SliderWidget extends UsableWidget {
+  kind: "slider";
+  value: number;
+  low: number;
+  high: number;
+  scale: "linear" | "logarithmic" | "beta";
+  /** Else three digits. */
+  twoDecimals: boolean;
+}
+
+/** A part of a panel (client/panels/widgets.h). A text is its own name. */
+export type Widget =
+  | { kind: "text"; name: string }
+  | SliderWidget
+  | (UsableWidget & { kind: "button" })
+  | (UsableWidget & { kind: "choice"; value: string; choices: [string, string][] });
 
 /** What the colours of the picture mean. */
 export interface ColourScale {
@@ -293,15 +298,11 @@ export interface Document {
   rims: string;
   /** How much of the scan is on thin walls, in words; empty: nothing is told. */
   walls: string;
-  edges: Edges;
-  edgePresets: { name: string; title: string }[];
+  keepsEdges: boolean;
   bands: Band[];
   /** By how much waves are multiplied, from two cells to the diagonal, evenly in log length. */
   response: number[];
   palette: { name: string; colour: number; curve: string }[];
-  colours: { beta: number; alpha: number };
-  /** `seams`: that the server levels them for this view, in words; else empty. */
-  texture: { gain: number; removeLight: number; levelSeams: number; seams: string; hasPictures: boolean };
   brush: Brush;
   tool: Tool;
   lasso: Lasso;
@@ -312,6 +313,9 @@ export interface Document {
   penPressure: boolean;
   /** The pointer has been on a piece of the surface, for `protect_piece`. */
   hasPiece: boolean;
+
+  /** By name. */
+  panels: Record<string, Widget[]>;
 
   /** Newest first. */
   history: HistoryEntry[];

@@ -1,0 +1,71 @@
+#include <algorithm>
+
+#include "client/model/documents/figures.h"
+#include "client/panels/panels.h"
+#include "common/edit/wavelength.h"
+
+namespace burnish {
+namespace {
+
+/// Shows the filter's α as the wavelength of which half is left.
+SliderChange show_size(const Document& document, double& alpha, Widgets& widgets) {
+  const double least = kWaveCellsMin * document.cell_size(), most = document.diagonal();
+  double size = std::clamp(wavelength_of_alpha(document.length_unit(), alpha), least, most);
+  const SliderChange change = widgets.slider(
+      {"Longest detail", "Colours that change over longer ways stay. In the scan's units", least,
+       most, SliderScale::kLogarithmic},
+      size);
+  if (change != SliderChange::kStill) alpha = alpha_of_wavelength(document.length_unit(), size);
+  return change;
+}
+
+void show_filter(Document& document, Widgets& widgets) {
+  ColourFilter changed = document.colour_filter();
+  const SliderChange beta = widgets.slider(
+      {"Gradient scale of colours",
+       "Left evens the colours out, right makes them differ more. The shape does not move. Spots "
+       "finer than a cell of the grid stay: a larger depth reaches them.",
+       kBetaMin, kBetaMax, SliderScale::kBeta},
+      changed.beta);
+  const SliderChange size = show_size(document, changed.alpha, widgets);
+  follow(std::max(beta, size), SetColour{changed}, document);
+  if (widgets.button(
+          {"Keep colours", "Sets the gradient scale to 1. Painted colours stay painted."}))
+    document.commit(SetColour{{changed.alpha, 1}});
+}
+
+void show_texture(Document& document, Widgets& widgets) {
+  TextureFilter changed = document.texture();
+  const auto part = [&](std::string_view name, std::string_view hint, double high, double& value) {
+    return widgets.slider({name, hint, 0, high, SliderScale::kLinear, true}, value);
+  };
+  SliderChange change =
+      part("Texture gain",
+           "Details of the colours that are finer than a cell of the grid: left fades them, right "
+           "makes them stronger",
+           kTextureGainMax, changed.gain);
+  change =
+      std::max(change, part("Remove light",
+                            "How much goes of the light that was there when the colours were taken",
+                            1, changed.remove_light));
+  if (document.has_pictures())
+    change = std::max(change, part("Level seams",
+                                   "How much goes of the steps of brightness between photos. The "
+                                   "server bakes them anew",
+                                   1, changed.level_seams));
+  follow(change, SetTexture{changed}, document);
+  widgets.text(seams_text(document));
+}
+
+}  // namespace
+
+void show_colours(Workspace& workspace, Widgets& widgets) {
+  Document& document = *workspace.document();
+  if (document.colour() != ColourBy::kScan && widgets.button({"Show colours"}))
+    document.set_colour(ColourBy::kScan);
+  widgets.enable(!document.is_viewer());
+  show_filter(document, widgets);
+  show_texture(document, widgets);
+}
+
+}  // namespace burnish

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string_view>
+
+#include "client/model/workspace/workspace.h"
+#include "client/panels/widgets.h"
+
+namespace burnish {
+
+/// A panel that the window and the page have in common.
+struct SharedPanel {
+  std::string_view name;
+  /// Shows its widgets, and does what the user does with them. Needs: an open document.
+  void (*show)(Workspace& workspace, Widgets& widgets);
+};
+
+void show_edges(Workspace& workspace, Widgets& widgets);
+void show_colours(Workspace& workspace, Widgets& widgets);
+
+/// Takes noise away and keeps edges, before the filter smooths or sharpens.
+inline constexpr SharedPanel kEdgesPanel = {"Keep edges", show_edges};
+/// The filter of the scan's colours, and of their texture.
+inline constexpr SharedPanel kColourPanel = {"Colours", show_colours};
+
+inline constexpr SharedPanel kSharedPanels[] = {kEdgesPanel, kColourPanel};
+
+/// Previews an edit while its slider moves, and makes it when the slider is let go.
+void follow(SliderChange change, Change edit, Document& document);
+
+}  // namespace burnish

@@ -1,0 +1,74 @@
+// What the user does with a widget of a panel: `panel preview|commit VALUE PANEL/WIDGET`.
+
+#include <algorithm>
+
+#include "client/panels/panels.h"
+#include "client/web/core/front_commands.h"
+#include "common/base/text_lines.h"
+
+namespace burnish {
+
+namespace {
+
+/// Has the user do one thing with one widget.
+class UsedWidgets : public Widgets {
+ public:
+  UsedWidgets(std::string_view name, const std::string& value, bool is_done)
+      : name_(name), value_(value), is_done_(is_done) {}
+
+  /// Fails: not_found without a widget of this name that can be used; invalid_argument.
+  const Status& status() const { return status_; }
+
+  void enable(bool on) override { is_enabled_ = on; }
+  void text(std::string_view) override {}
+
+  SliderChange slider(const Slider& slider, double& value) override {
+    if (!is_meant(slider.name)) return SliderChange::kStill;
+    const auto number = parse_real(value_);
+    status_ = number.status();
+    if (!number.is_ok()) return SliderChange::kStill;
+    value = std::clamp(*number, slider.low, slider.high);  // the page rounds
+    return is_done_ ? SliderChange::kDone : SliderChange::kMoving;
+  }
+
+  bool button(const Button& button) override {
+    if (!is_meant(button.name)) return false;
+    status_ = Status::ok();
+    return true;
+  }
+
+  std::string_view choice(const Choice& choice, std::string_view) override {
+    if (!is_meant(choice.name)) return {};
+    const Option* const option = find_option(choice, value_);
+    status_ = option ? Status::ok() : invalid_argument("'" + value_ + "' cannot be chosen");
+    return option ? option->word : std::string_view();
+  }
+
+ private:
+  bool is_meant(std::string_view name) const { return is_enabled_ && name == name_; }
+
+  std::string_view name_;
+  const std::string& value_;
+  bool is_done_;
+  bool is_enabled_ = true;
+  Status status_ = not_found("there is no such widget now");
+};
+
+}  // namespace
+
+std::optional<Status> do_panel_line(const FrontWords& line, Workspace& workspace) {
+  if (line.command != "panel") return std::nullopt;
+  if (const Status has_words = need_words(line, 3); !has_words.is_ok()) return has_words;
+  const std::string place = joined({line.words.begin() + 2, line.words.end()});
+  const std::string_view name = std::string_view(place).substr(0, place.find('/'));
+  for (const SharedPanel& panel : kSharedPanels) {
+    if (panel.name != name || name.size() == place.size()) continue;
+    UsedWidgets widgets(std::string_view(place).substr(name.size() + 1), line.words[1],
+                        line.words[0] == "commit");
+    panel.show(workspace, widgets);
+    return widgets.status();
+  }
+  return not_found("there is no panel of '" + place + "'");
+}
+
+}  // namespace burnish
