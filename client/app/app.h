@@ -112,7 +112,7 @@ class App {
   HistoryPanel history_panel_;
   ViewPanel view_panel_;
   PeoplePanel people_panel_;
-  LightPanel light_panel_;
+  DrawnPanel light_panel_{kLightPanel};
   CameraPanel camera_panel_;
   NumbersPanel numbers_panel_;
   FiguresPanel figures_panel_;

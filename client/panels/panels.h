@@ -16,13 +16,16 @@ struct SharedPanel {
 
 void show_edges(Workspace& workspace, Widgets& widgets);
 void show_colours(Workspace& workspace, Widgets& widgets);
+void show_light(Workspace& workspace, Widgets& widgets);
 
 /// Takes noise away and keeps edges, before the filter smooths or sharpens.
 inline constexpr SharedPanel kEdgesPanel = {"Keep edges", show_edges};
 /// The filter of the scan's colours, and of their texture.
 inline constexpr SharedPanel kColourPanel = {"Colours", show_colours};
+/// How the surface is lit.
+inline constexpr SharedPanel kLightPanel = {"Light", show_light};
 
-inline constexpr SharedPanel kSharedPanels[] = {kEdgesPanel, kColourPanel};
+inline constexpr SharedPanel kSharedPanels[] = {kEdgesPanel, kColourPanel, kLightPanel};
 
 /// Previews an edit while its slider moves, and makes it when the slider is let go.
 void follow(SliderChange change, Change edit, Document& document);

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "client/scene/lighting.h"
+
 namespace burnish {
 
 enum class SliderChange {
@@ -30,6 +32,7 @@ struct Slider {
 struct Button {
   std::string_view name;
   std::string_view hint = {};
+  bool is_wide = true;
 };
 
 struct Option {
@@ -62,6 +65,8 @@ class Widgets {
   virtual bool button(const Button& button) = 0;
   /// Returns the word that the user chooses; mostly empty.
   virtual std::string_view choice(const Choice& choice, std::string_view chosen) = 0;
+  /// Shows a ball on which the lamp is dragged: the middle is the eye, the rim the picture's plane.
+  virtual void lamp(Lighting& lighting) = 0;
 };
 
 }  // namespace burnish

@@ -231,7 +231,6 @@ TEST_F(FrontService, EveryFrontCommandOfThePageIsKnown) {
                            "split_at 0.3",
                            "displacement_range 2",
                            "lamp 0.2 0.4",
-                           "light_default",
                            "bookmark add",
                            "bookmark show 1",
                            "focus",

@@ -74,12 +74,6 @@ class ViewPanel : public Panel {
   void draw(Workspace& workspace) override;
 };
 
-/// How the surface is lit.
-class LightPanel : public Panel {
- public:
-  void draw(Workspace& workspace) override;
-};
-
 /// Where the surface is seen from.
 class CameraPanel : public Panel {
  public:

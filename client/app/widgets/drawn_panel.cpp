@@ -8,6 +8,31 @@
 namespace burnish {
 namespace {
 
+void draw_ball(Lighting& lighting) {
+  const float radius = em(2.6f);
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const ImVec2 middle{from.x + radius, from.y + radius};
+  ImGui::InvisibleButton("##lamp", {2 * radius, 2 * radius});
+  hint("Drag the lamp. In the picture: Ctrl+Shift and a drag with the right button.");
+  if (ImGui::IsItemActive()) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    lighting =
+        with_lamp_at(lighting, {(mouse.x - middle.x) / radius, (middle.y - mouse.y) / radius});
+  }
+  const Eigen::Vector2f lamp = lamp_on_ball(lighting).cast<float>();
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  list->AddCircleFilled(middle, radius, ImGui::GetColorU32(ImGuiCol_FrameBg), 48);
+  constexpr int kRings = 14;
+  for (int ring = 0; ring < kRings; ++ring) {  // brighter towards the lamp
+    const float part = static_cast<float>(ring) / kRings;
+    const float away = part * radius;
+    list->AddCircleFilled({middle.x + away * lamp.x(), middle.y - away * lamp.y()},
+                          radius * (1 - part), IM_COL32(255, 245, 225, 18), 48);
+  }
+  list->AddCircleFilled({middle.x + radius * lamp.x(), middle.y - radius * lamp.y()}, em(0.35f),
+                        ImGui::GetColorU32(theme::kAccent), 16);
+}
+
 class DrawnWidgets : public Widgets {
  public:
   explicit DrawnWidgets(MessageLog& log) : log_(log) {}
@@ -36,7 +61,8 @@ class DrawnWidgets : public Widgets {
 
   bool button(const Button& button) override {
     const std::string name(button.name);
-    const bool is_pressed = noted(name, ImGui::Button(name.c_str(), {-1, 0}));
+    const bool is_pressed =
+        noted(name, ImGui::Button(name.c_str(), {button.is_wide ? -1.0f : 0.0f, 0}));
     hint(button.hint);
     return is_pressed;
   }
@@ -59,6 +85,8 @@ class DrawnWidgets : public Widgets {
     ImGui::EndCombo();
     return taken;
   }
+
+  void lamp(Lighting& lighting) override { draw_ball(lighting); }
 
  private:
   static void hint(std::string_view text) {

@@ -43,6 +43,7 @@ class UsedWidgets : public Widgets {
     status_ = option ? Status::ok() : invalid_argument("'" + value_ + "' cannot be chosen");
     return option ? option->word : std::string_view();
   }
+  void lamp(Lighting&) override {}  // it has lines of its own
 
  private:
   bool is_meant(std::string_view name) const { return is_enabled_ && name == name_; }

@@ -52,9 +52,7 @@ std::optional<Status> do_view_line(const FrontWords& line, FrontParts& parts) {
     return set_number(line, kRangeMin, kRangeMax, options.displacement_range);
   if (command == "lamp") return set_lamp(line, options.lighting);
   if (command == "bookmark") return do_bookmark(line, viewport);
-  if (command == "light_default") {
-    options.lighting = {};
-  } else if (command == "focus") {
+  if (command == "focus") {
     viewport.focus();
   } else if (command == "frame" && line.words.empty()) {
     viewport.go_home();

@@ -28,7 +28,7 @@ class WrittenWidgets : public Widgets {
 
   bool button(const Button& button) override {
     begin("button", button.name, button.hint);
-    json_.close();
+    json_.flag("wide", button.is_wide).close();
     return false;
   }
 
@@ -41,6 +41,14 @@ class WrittenWidgets : public Widgets {
     if (!shown) json_.open_list().text(chosen).text(choice.otherwise).close_list();
     json_.close_list().close();
     return {};
+  }
+
+  void lamp(Lighting& lighting) override {
+    const Eigen::Vector2d lamp = lamp_on_ball(lighting);
+    begin("lamp", "Lamp", {});
+    json_.number("azimuth", lighting.azimuth_degrees);
+    json_.number("elevation", lighting.elevation_degrees);
+    json_.number("ballX", lamp.x()).number("ballY", lamp.y()).close();
   }
 
  private:

@@ -27,15 +27,6 @@ void write_options(const Workspace& workspace, JsonWriter& json) {
   json.text("status", status_text(document.surface().status())).close();
 }
 
-void write_light(const Lighting& light, JsonWriter& json) {
-  const Eigen::Vector2d lamp = lamp_on_ball(light);
-  json.key("light").open().text("kind", name_of(light.kind));
-  json.number("azimuth", light.azimuth_degrees).number("elevation", light.elevation_degrees);
-  json.number("ballX", lamp.x()).number("ballY", lamp.y()).number("specular", light.specular);
-  json.number("occlusion", light.occlusion).number("radiance", light.radiance);
-  json.number("ridge", light.ridge).number("valley", light.valley).close();
-}
-
 void write_scale(const Workspace& workspace, JsonWriter& json) {
   json.key("scale");
   const auto scale = colour_scale(*workspace.document(), workspace.viewport);
@@ -72,7 +63,6 @@ void write_numbers(const Document& document, JsonWriter& json) {
 
 void write_view(const Workspace& workspace, JsonWriter& json) {
   write_options(workspace, json);
-  write_light(workspace.viewport.options.lighting, json);
   write_scale(workspace, json);
   write_numbers(*workspace.document(), json);
 }

@@ -552,7 +552,7 @@ test("LightHasALampOnABall", () =>
   bench.visitSession(async (visit) => {
     const panel = await visit.section("Light");
     await panel.getByRole("combobox", { name: "Light" }).selectOption("Raking light");
-    await visit.sent("light raking");
+    await visit.sent("panel commit raking Light/Light");
     const lamp = panel.getByRole("slider", { name: "Lamp" });
     await lamp.press("ArrowUp");
     await visit.sent("light_direction 137 30");
@@ -560,9 +560,9 @@ test("LightHasALampOnABall", () =>
     await visit.sentSome("lamp ");
     await panel.getByRole("textbox", { name: "Occlusion as a number" }).fill("0.5");
     await visit.page.keyboard.press("Enter");
-    await visit.sent("occlusion 0.5");
+    await visit.sent("panel commit 0.5 Light/Occlusion");
     await panel.getByRole("button", { name: "As at first" }).click();
-    await visit.sent("light_default");
+    await visit.sent("panel commit press Light/As at first");
   }));
 
 test("NumbersNameTheUnitAndMeasure", () =>

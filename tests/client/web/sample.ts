@@ -98,10 +98,16 @@ export const session: Document = {
       slider("Edge angle", "Degrees: sharper bends are edges, and stay", 35, 5, 120),
       { ...slider("Noise size", "Noise of up to about this length goes, in the scan's units.", 1, 0.5, 5), scale: "logarithmic" },
     ],
+    Light: [
+      { kind: "choice", name: "Light", hint: "A lamp, the sky and a weak second lamp.", disabled: false, value: "clay", choices: [["clay", "Clay"], ["raking", "Raking light"]] },
+      { kind: "lamp", name: "Lamp", disabled: false, azimuth: 137, elevation: 25, ballX: -0.5, ballY: 0.5 },
+      { ...slider("Occlusion", "", 0, 0, 1), twoDecimals: true },
+      { kind: "button", name: "As at first", disabled: false, wide: false },
+    ],
     Colours: [
-      { kind: "button", name: "Show colours", disabled: false },
+      { kind: "button", name: "Show colours", disabled: false, wide: true },
       { ...slider("Gradient scale of colours", "Left evens the colours out.", 1, 0, 10), scale: "beta" },
-      { kind: "button", name: "Keep colours", hint: "Sets the gradient scale to 1. Painted colours stay painted.", disabled: false },
+      { kind: "button", name: "Keep colours", hint: "Sets the gradient scale to 1. Painted colours stay painted.", disabled: false, wide: true },
       { ...slider("Texture gain", "Left fades them, right makes them stronger", 1, 0, 4), twoDecimals: true },
     ],
   },
@@ -128,7 +134,6 @@ export const session: Document = {
     bookmarks: 2,
     status: "all 20 k triangles shown",
   },
-  light: { kind: "clay", azimuth: 137, elevation: 25, ballX: -0.5, ballY: 0.5, specular: 0.06, occlusion: 0, radiance: 1, ridge: 1, valley: 1 },
   scale: { title: "displacement", low: "-0.6 mm", middle: "0", high: "0.6 mm", part: 0.3, value: "0.18 mm" },
   numbers: {
     deviation: [

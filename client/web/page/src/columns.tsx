@@ -8,7 +8,6 @@ import { EqualiserPanel } from "./equaliser_panel";
 import { FilterPanel, type PanelProps, type PresetProps } from "./filter_panel";
 import { Gradual } from "./gradual";
 import { HistoryPanel } from "./history_panel";
-import { LightPanel } from "./light_panel";
 import { LimitsPanel } from "./limits_panel";
 import { NumbersPanel } from "./numbers_panel";
 import { PalettePanel } from "./palette_panel";
@@ -85,7 +84,7 @@ export function ShowSections({ document, figures }: PanelProps & { figures: bool
         <NumbersPanel document={document} />
       </Section>
       <Section name="Light" folded>
-        <LightPanel document={document} />
+        <WidgetPanel document={document} name="Light" />
       </Section>
       <Section name="Camera" folded>
         <CameraPanel document={document} />

@@ -1,6 +1,6 @@
 // The lines that the page sends. Lines of the script language do the same in `burnish --script`.
 
-import type { Brush, ColourBy, FallOff, Lasso, Light, Role, Tool, UpAxis } from "./snapshot";
+import type { Brush, ColourBy, FallOff, Lasso, Role, Tool, UpAxis } from "./snapshot";
 
 /** A line of a front: its form and its meaning. */
 export interface FrontCommand {
@@ -49,7 +49,6 @@ export const frontCommands: readonly FrontCommand[] = [
   { form: "split_at X", means: "puts the line of the split at a part of the width" },
   { form: "displacement_range CELLS", means: "sets where the colour of displacement is full" },
   { form: "lamp X Y", means: "puts the lamp where the ball shows X Y, -1 to 1, y upwards" },
-  { form: "light_default", means: "sets the light as at first" },
   { form: "bookmark add", means: "remembers this view" },
   { form: "bookmark show N", means: "shows view N, from 1" },
   { form: "focus", means: "turns around the point under the pointer" },
@@ -139,14 +138,8 @@ export const command = {
   focus: () => "focus",
   bookmarkAdd: () => "bookmark add",
   bookmarkShow: (bookmark: number) => words("bookmark show", bookmark),
-  light: (kind: Light) => words("light", kind),
   lamp: (x: number, y: number) => words("lamp", x, y),
   lightDirection: (azimuth: number, elevation: number) => words("light_direction", azimuth, elevation),
-  specular: (strength: number) => words("specular", strength),
-  occlusion: (strength: number) => words("occlusion", strength),
-  radiance: (strength: number) => words("radiance", strength),
-  cavity: (ridge: number, valley: number) => words("cavity", ridge, valley),
-  lightDefault: () => "light_default",
   figures: (on: boolean) => words("figures", onOff(on)),
   over: (what: "protection" | "curves", on: boolean) => words("over", what, onOff(on)),
   unit: (text: string) => words("unit", name(text)).trim(),

@@ -133,7 +133,6 @@ export interface Brush {
 export type Axis = "x" | "y" | "z";
 export type UpAxis = Axis | "-x" | "-y" | "-z";
 export type ColourBy = "clay" | "beta" | "curvature" | "displacement" | "scan";
-export type Light = "clay" | "radiance" | "cavity" | "raking" | "ceramic" | "bronze" | "slopes" | "unlit";
 export type Role = "viewer" | "editor" | "owner";
 export type Tool = "paint" | "look" | "measure";
 export type Lasso = "off" | "protect" | "release";
@@ -175,20 +174,6 @@ export interface View {
   status: string;
 }
 
-export interface Lighting {
-  kind: Light;
-  azimuth: number;
-  elevation: number;
-  /** The lamp on the ball, -1 to 1; y upwards. */
-  ballX: number;
-  ballY: number;
-  specular: number;
-  occlusion: number;
-  radiance: number;
-  ridge: number;
-  valley: number;
-}
-
 interface UsableWidget {
   /** Unique in its panel. */
   name: string;
@@ -206,11 +191,21 @@ export interface SliderWidget extends UsableWidget {
   twoDecimals: boolean;
 }
 
+export interface LampWidget extends UsableWidget {
+  kind: "lamp";
+  azimuth: number;
+  elevation: number;
+  /** The lamp on the ball, -1 to 1; y upwards. */
+  ballX: number;
+  ballY: number;
+}
+
 /** A part of a panel (client/panels/widgets.h). A text is its own name. */
 export type Widget =
   | { kind: "text"; name: string }
   | SliderWidget
-  | (UsableWidget & { kind: "button" })
+  | LampWidget
+  | (UsableWidget & { kind: "button"; wide: boolean })
   | (UsableWidget & { kind: "choice"; value: string; choices: [string, string][] });
 
 /** What the colours of the picture mean. */
@@ -321,7 +316,6 @@ export interface Document {
   history: HistoryEntry[];
   people: Person[];
   view: View;
-  light: Lighting;
   scale: ColourScale | null;
   numbers: Numbers;
   over: Over;

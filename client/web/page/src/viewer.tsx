@@ -10,12 +10,12 @@ import { LostNote, simplified } from "./hud";
 import { keyActions } from "./key_actions";
 import { useKeyListeners } from "./key_listeners";
 import { keyOf } from "./keys";
-import { kLights } from "./light_panel";
 import { Toasts } from "./messages";
 import { OverPicture } from "./over_picture";
 import { Picture } from "./picture";
 import type { Document } from "./snapshot";
 import { kViews } from "./view_panel";
+import { Widgets } from "./widget_panel";
 
 /** Actions of keys that look. */
 const kKeys = ["frame_all", "focus", "wireframe", "split", "front", "back", "right", "left", "top", "bottom", "orthographic", "screenshot"];
@@ -71,7 +71,7 @@ const kSides = [
 ] as const;
 
 function Bar({ document, link }: { document: Document; link: EngineLink }) {
-  const { view, light } = document;
+  const { view } = document;
   const side = view.original ? "before" : view.split ? "split" : "after";
   const show = (one: (typeof kSides)[number][0]) => {
     link.send(command.original(one === "before"));
@@ -84,12 +84,7 @@ function Bar({ document, link }: { document: Document; link: EngineLink }) {
           <Button key={one} label={label} pressed={side === one} onClick={() => show(one)} />
         ))}
       </div>
-      <Choice
-        name="Light"
-        value={light.kind}
-        choices={kLights.map(([kind, label]) => [kind, label] as const)}
-        onChange={(kind) => link.send(command.light(kind))}
-      />
+      <Widgets panel="Light" widgets={document.panels.Light!.filter(({ name }) => name === "Light")} />
       {document.hasColours && (
         <Choice
           name="Colour"

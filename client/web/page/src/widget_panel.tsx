@@ -4,14 +4,19 @@ import { command } from "./commands";
 import { useLink } from "./context";
 import { Button, Choice, Title } from "./controls";
 import type { PanelProps } from "./filter_panel";
+import { Lamp } from "./lamp";
 import { Slider, betaScale, betaTone, linear, logarithmic } from "./slider";
 import type { SliderWidget, Widget } from "./snapshot";
 import { fixed, short } from "./words";
 
 export const WidgetPanel = ({ document, name }: PanelProps & { name: string }) => (
+  <Widgets panel={name} widgets={document.panels[name] ?? []} />
+);
+
+export const Widgets = ({ panel, widgets }: { panel: string; widgets: Widget[] }) => (
   <>
-    {document.panels[name]?.map((widget) => (
-      <Drawn key={widget.name} {...{ widget }} place={`${name}/${widget.name}`} />
+    {widgets.map((widget) => (
+      <Drawn key={widget.name} {...{ widget }} place={`${panel}/${widget.name}`} />
     ))}
   </>
 );
@@ -26,9 +31,11 @@ function Drawn({ widget, place }: { widget: Widget; place: string }) {
     case "text":
       return <div class="faint">{widget.name}</div>;
     case "button":
-      return <Button {...widget} name={undefined} label={widget.name} class="wide" onClick={() => commit("press")} />;
+      return <Button {...widget} name={undefined} label={widget.name} class={widget.wide ? "wide" : undefined} onClick={() => commit("press")} />;
     case "choice":
       return <Choice {...widget} onChange={commit} />;
+    case "lamp":
+      return <Lamp {...widget} />;
     case "slider":
       return (
         <>

@@ -1,0 +1,58 @@
+#include <iterator>
+
+#include "client/panels/panels.h"
+
+namespace burnish {
+namespace {
+
+struct Words {
+  const char* label;
+  const char* hint;
+};
+
+constexpr Words kLights[] = {
+    {"Clay", "A lamp, the sky and a weak second lamp."},
+    {"Radiance scaling", "Brightens what bends outwards and darkens what bends inwards."},
+    {"Cavity", "Bright ridges and dark valleys."},
+    {"Raking light", "One hard lamp. Low over the surface it shows the finest relief."},
+    {"Ceramic", "White glaze with bright windows."},
+    {"Bronze", "Dark metal."},
+    {"Slopes", "Each direction of a slope has its own tone."},
+    {"Unlit", "The colours alone, without light."}};  // as LightKind
+
+static_assert(std::size(kLights) == kLightKinds);
+
+void choose_light(Lighting& lighting, Widgets& widgets) {
+  Option options[kLightKinds];
+  for (int i = 0; i < kLightKinds; ++i)
+    options[i] = {name_of(static_cast<LightKind>(i)), kLights[i].label, kLights[i].hint};
+  const std::string_view word = widgets.choice({"Light", options}, name_of(lighting.kind));
+  if (!word.empty()) lighting.kind = *parse_light_kind(word);
+}
+
+void show_strength(std::string_view name, double high, double& value, Widgets& widgets) {
+  widgets.slider({name, {}, 0, high, SliderScale::kLinear, true}, value);
+}
+
+void show_lighting(Lighting& lighting, Widgets& widgets) {
+  choose_light(lighting, widgets);
+  const bool has_lamp = lighting.kind <= LightKind::kRaking;
+  if (has_lamp) widgets.lamp(lighting);
+  if (lighting.kind == LightKind::kRadiance)
+    show_strength("Scaling", kRadianceMax, lighting.radiance, widgets);
+  if (lighting.kind == LightKind::kCavity) {
+    show_strength("Ridges", kCavityMax, lighting.ridge, widgets);
+    show_strength("Valleys", kCavityMax, lighting.valley, widgets);
+  }
+  if (has_lamp) show_strength("Highlight", 1, lighting.specular, widgets);
+  show_strength("Occlusion", 1, lighting.occlusion, widgets);
+  if (widgets.button({.name = "As at first", .is_wide = false})) lighting = {};
+}
+
+}  // namespace
+
+void show_light(Workspace& workspace, Widgets& widgets) {
+  show_lighting(workspace.viewport.options.lighting, widgets);
+}
+
+}  // namespace burnish
