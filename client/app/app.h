@@ -102,7 +102,7 @@ class App {
 
   StartPage start_page_;
   FilterPanel filter_panel_;
-  ProtectPanel protect_panel_;
+  DrawnPanel limits_panel_{kLimitsPanel};
   CurvePanel curve_panel_;
   BrushPanel brush_panel_;
   DrawnPanel edges_panel_{kEdgesPanel};
@@ -110,10 +110,10 @@ class App {
   DrawnPanel colour_panel_{kColourPanel};
   PalettePanel palette_panel_;
   HistoryPanel history_panel_;
-  ViewPanel view_panel_;
+  DrawnPanel view_panel_{kViewPanel};
   PeoplePanel people_panel_;
   DrawnPanel light_panel_{kLightPanel};
-  CameraPanel camera_panel_;
+  DrawnPanel camera_panel_{kCameraPanel};
   NumbersPanel numbers_panel_;
   FiguresPanel figures_panel_;
   ColourBar colour_bar_;

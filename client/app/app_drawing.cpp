@@ -242,7 +242,7 @@ void App::draw_columns(float top, float left, float right) {
   draw_section("Filter", filter_panel_, *workspace_);
   draw_section("Transfer curve α(κ)", curve_panel_, *workspace_);
   draw_section("Brush", brush_panel_, *workspace_);
-  const bool shows_region = draw_section("Limits", protect_panel_, *workspace_);
+  const bool shows_region = draw_section("Limits", limits_panel_, *workspace_);
   draw_section("Keep edges", edges_panel_, *workspace_, ImGuiTreeNodeFlags_None);
   draw_section("Equaliser", equaliser_panel_, *workspace_, ImGuiTreeNodeFlags_None);
   const bool shows_curves =

@@ -54,7 +54,7 @@ void show_texture(Document& document, Widgets& widgets) {
                                    "server bakes them anew",
                                    1, changed.level_seams));
   follow(change, SetTexture{changed}, document);
-  widgets.text(seams_text(document));
+  widgets.text({seams_text(document)});
 }
 
 }  // namespace

@@ -70,10 +70,10 @@ void show_edges(Workspace& workspace, Widgets& widgets) {
   Document& document = *workspace.document();
   const std::string_view bar = bar_to_edges(document);
   widgets.enable(!document.is_viewer() && bar.empty());
-  widgets.text("Noise goes, edges stay, and what is sharpened is the surface without its noise.");
-  widgets.text(bar);
+  widgets.text({"Noise goes, edges stay, and what is sharpened is the surface without its noise."});
+  widgets.text({bar});
   choose_edges(document, widgets);
-  widgets.text(noise_text(document));
+  widgets.text({noise_text(document)});
   show_values(document, widgets);
 }
 

@@ -34,6 +34,8 @@ void show_strength(std::string_view name, double high, double& value, Widgets& w
   widgets.slider({name, {}, 0, high, SliderScale::kLinear, true}, value);
 }
 
+}  // namespace
+
 void show_lighting(Lighting& lighting, Widgets& widgets) {
   choose_light(lighting, widgets);
   const bool has_lamp = lighting.kind <= LightKind::kRaking;
@@ -46,10 +48,8 @@ void show_lighting(Lighting& lighting, Widgets& widgets) {
   }
   if (has_lamp) show_strength("Highlight", 1, lighting.specular, widgets);
   show_strength("Occlusion", 1, lighting.occlusion, widgets);
-  if (widgets.button({.name = "As at first", .is_wide = false})) lighting = {};
+  if (widgets.button({"As at first"})) lighting = {};
 }
-
-}  // namespace
 
 void show_light(Workspace& workspace, Widgets& widgets) {
   show_lighting(workspace.viewport.options.lighting, widgets);

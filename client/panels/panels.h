@@ -17,6 +17,10 @@ struct SharedPanel {
 void show_edges(Workspace& workspace, Widgets& widgets);
 void show_colours(Workspace& workspace, Widgets& widgets);
 void show_light(Workspace& workspace, Widgets& widgets);
+void show_lighting(Lighting& lighting, Widgets& widgets);  ///< show_light() alone
+void show_view(Workspace& workspace, Widgets& widgets);
+void show_camera(Workspace& workspace, Widgets& widgets);
+void show_limits(Workspace& workspace, Widgets& widgets);
 
 /// Takes noise away and keeps edges, before the filter smooths or sharpens.
 inline constexpr SharedPanel kEdgesPanel = {"Keep edges", show_edges};
@@ -24,8 +28,15 @@ inline constexpr SharedPanel kEdgesPanel = {"Keep edges", show_edges};
 inline constexpr SharedPanel kColourPanel = {"Colours", show_colours};
 /// How the surface is lit.
 inline constexpr SharedPanel kLightPanel = {"Light", show_light};
+/// How the surface is shown.
+inline constexpr SharedPanel kViewPanel = {"View", show_view};
+/// Where the surface is seen from.
+inline constexpr SharedPanel kCameraPanel = {"Camera", show_camera};
+/// The bounds on what edits do, and the region in which nothing moves.
+inline constexpr SharedPanel kLimitsPanel = {"Limits", show_limits};
 
-inline constexpr SharedPanel kSharedPanels[] = {kEdgesPanel, kColourPanel, kLightPanel};
+inline constexpr SharedPanel kSharedPanels[] = {kEdgesPanel, kColourPanel, kLightPanel,
+                                                kViewPanel,  kCameraPanel, kLimitsPanel};
 
 /// Previews an edit while its slider moves, and makes it when the slider is let go.
 void follow(SliderChange change, Change edit, Document& document);

@@ -27,9 +27,20 @@ class FrontPanels : public FrontService {
 
   /// Returns a widget of the last snapshot; null if it is not there.
   Json widget(const std::string& panel, const std::string& name) {
-    for (const Json& one : document()["panels"][panel])
-      if (one["name"].get<std::string>().starts_with(name)) return one;
+    return find(document()["panels"][panel], name);
+  }
+  static Json find(const Json& widgets, const std::string& name) {
+    for (const Json& one : widgets) {
+      if (one.contains("widgets")) {
+        if (const Json found = find(one["widgets"], name); !found.is_null()) return found;
+      } else if (one["name"].get<std::string>().starts_with(name)) {
+        return one;
+      }
+    }
     return {};
+  }
+  bool is_disabled(const std::string& panel, const std::string& name) {
+    return widget(panel, name).contains("disabled");
   }
 
   bool has_edits(size_t count) {
@@ -87,14 +98,14 @@ TEST_F(FrontPanels, BandsAndAVolumeThatStaysBarKeptEdges) {
   ASSERT_TRUE(open());
   line("bands 1:2");
   ASSERT_TRUE(until([this] { return !widget("Keep edges", "Bands have the scan").is_null(); }));
-  EXPECT_EQ(widget("Keep edges", "Kept edges")["disabled"], true);
+  EXPECT_TRUE(is_disabled("Keep edges", "Kept edges"));
   EXPECT_THAT(answer_to("panel commit relief Keep edges/Kept edges"), HasSubstr("no such widget"));
   line("bands");
   line("controls off 0 on");
   ASSERT_TRUE(until([this] { return !widget("Keep edges", "The volume stays").is_null(); }));
-  EXPECT_EQ(widget("Keep edges", "Strength")["disabled"], true);
+  EXPECT_TRUE(is_disabled("Keep edges", "Strength"));
   line("controls off 0 off");
-  EXPECT_TRUE(until([this] { return widget("Keep edges", "Strength")["disabled"] == false; }));
+  EXPECT_TRUE(until([this] { return !is_disabled("Keep edges", "Strength"); }));
 }
 
 TEST_F(FrontPanels, ColoursAreFilteredAndKept) {
@@ -116,6 +127,71 @@ TEST_F(FrontPanels, ColoursAreFilteredAndKept) {
   ASSERT_TRUE(has_edits(5));
   EXPECT_EQ(front_.workspace().document()->texture().gain, 2.5);
   EXPECT_EQ(front_.workspace().document()->texture().remove_light, 0.75);
+}
+
+TEST_F(FrontPanels, LimitsAreSetAndTheirCapIsOffAtTheRight) {
+  ASSERT_TRUE(open());
+  EXPECT_TRUE(is_disabled("Limits", "Rims stay"));  // a sphere has none
+  line("panel commit on Limits/Volume stays");
+  line("panel preview 0.3 Limits/Largest move");
+  line("panel commit 0.2 Limits/Largest move");
+  ASSERT_TRUE(has_edits(2));
+  const Controls& controls = front_.workspace().document()->controls();
+  EXPECT_EQ(controls.cap, 0.2);
+  EXPECT_TRUE(controls.keep_volume);
+  line("panel commit 1000 Limits/Largest move");
+  EXPECT_EQ(controls.cap, 0);
+  EXPECT_THAT(answer_to("panel commit up Limits/Volume stays"), HasSubstr("'up'"));
+}
+
+TEST_F(FrontPanels, APieceIsProtectedOnceThePointerWasOnIt) {
+  ASSERT_TRUE(open());
+  EXPECT_TRUE(is_disabled("Limits", "Piece"));
+  point("move", 200, 150);
+  ASSERT_TRUE(until([this] { return !is_disabled("Limits", "Piece"); }));
+  line("panel commit press Limits/Piece");
+  ASSERT_TRUE(has_edits(1));
+  line("panel commit press Limits/Grow");
+  ASSERT_TRUE(has_edits(2));
+}
+
+TEST_F(FrontPanels, AWishForALassoIsTakenBackByTheSameButton) {
+  ASSERT_TRUE(open());
+  const auto& wish = front_.workspace().viewport.lasso_wish;
+  line("panel commit on Limits/Through");
+  line("panel commit press Limits/Release");
+  ASSERT_TRUE(wish);
+  EXPECT_TRUE(wish->through && wish->release);
+  ASSERT_TRUE(until([this] { return widget("Limits", "Release")["pressed"] == true; }));
+  line("panel commit off Limits/Through");
+  EXPECT_FALSE(wish->through);
+  line("panel commit press Limits/Release");
+  EXPECT_FALSE(wish);
+}
+
+TEST_F(FrontPanels, TheViewIsSetAndBookmarksAreShown) {
+  ASSERT_TRUE(open());
+  Viewport& viewport = front_.workspace().viewport;
+  for (const char* name : {"Flat", "Wireframe", "Split", "Original", "Left button turns the view"})
+    line(std::string("panel commit on View/") + name);
+  EXPECT_TRUE(viewport.options.flat && viewport.options.wireframe && viewport.options.split);
+  EXPECT_TRUE(viewport.hold_original && viewport.navigate_mode);
+  line("panel preview 0.25 View/Place of the split");
+  EXPECT_EQ(viewport.options.split_at, 0.25);
+  line("panel commit displacement View/Colour");
+  line("panel commit 2 View/Displacement");
+  EXPECT_EQ(viewport.options.displacement_range, 2);
+  line("panel commit press Camera/Top");
+  line("panel commit press View/Bookmark");
+  const Camera top = viewport.camera;
+  line("panel commit press Camera/Front");
+  line("panel commit -x Camera/Up");
+  line("panel commit on Camera/Orthographic");
+  EXPECT_EQ(viewport.camera.up, UpAxis::kMinusX);
+  EXPECT_TRUE(viewport.camera.orthographic);
+  line("panel commit press View/Bookmark 1");
+  EXPECT_EQ(viewport.camera, top);
+  EXPECT_TRUE(answers_.empty());
 }
 
 TEST_F(FrontPanels, ALineThatNoWidgetUnderstandsIsAnswered) {

@@ -153,7 +153,7 @@ TEST_F(FrontService, AStrokeOfThePointerIsAnEdit) {
   point("release", 220, 150);
   ASSERT_TRUE(until([this] { return is_settled() && document()["history"].size() == 1; }));
   EXPECT_THAT(document()["history"][0]["summary"].get<std::string>(), HasSubstr("stroke"));
-  EXPECT_TRUE(document()["hasPiece"]);
+  EXPECT_TRUE(front_.workspace().viewport.last_hover());
 }
 
 TEST_F(FrontService, ThePlotsPointsAreDraggedAndCommitted) {
@@ -176,7 +176,6 @@ TEST_F(FrontService, ARefusedLineIsAnsweredWithTheCoresWords) {
                                           {"tool saw", "'saw' is not paint, look or measure"},
                                           {"preview zoom 2", "'zoom' has no preview"},
                                           {"plot take 7", "point 7"},
-                                          {"bookmark show 3", "bookmark 3"},
                                           {"preview", "needs 1"},
                                           {"", "one line"}}) {
     answers_.clear();
@@ -223,16 +222,12 @@ TEST_F(FrontService, EveryFrontCommandOfThePageIsKnown) {
                            "tool measure",
                            "tool look",
                            "tool paint",
-                           "lasso protect through",
-                           "lasso off",
                            "ruler clear",
                            "pen off",
                            "unit mm",
                            "split_at 0.3",
-                           "displacement_range 2",
                            "lamp 0.2 0.4",
                            "bookmark add",
-                           "bookmark show 1",
                            "focus",
                            "cancel",
                            "figures off",

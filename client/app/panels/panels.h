@@ -31,19 +31,6 @@ class CurvePanel : public Panel {
   void draw(Workspace& workspace) override;
 };
 
-/// The bounds on what edits do, and the region in which nothing moves.
-class ProtectPanel : public Panel {
- public:
-  void draw(Workspace& workspace) override;
-
- private:
-  void draw_lasso_buttons(Viewport& viewport);
-  void draw_piece_buttons(Workspace& workspace);
-
-  bool through_ = false;             // of the next lasso
-  std::optional<Vec3d> last_hover_;  // on the original surface
-};
-
 /// Gains by the size of detail, over a plot of what they do.
 class EqualiserPanel : public Panel {
  public:
@@ -64,18 +51,6 @@ class PalettePanel : public Panel {
 
 /// The airbrush.
 class BrushPanel : public Panel {
- public:
-  void draw(Workspace& workspace) override;
-};
-
-/// Settings of how the surface is shown.
-class ViewPanel : public Panel {
- public:
-  void draw(Workspace& workspace) override;
-};
-
-/// Where the surface is seen from.
-class CameraPanel : public Panel {
  public:
   void draw(Workspace& workspace) override;
 };

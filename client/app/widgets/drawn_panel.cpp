@@ -44,14 +44,21 @@ class DrawnWidgets : public Widgets {
     is_enabled_ = on;
   }
 
-  void text(std::string_view text) override {
-    if (!text.empty()) faint_text("%.*s", static_cast<int>(text.size()), text.data());
+  void begin_row(int columns) override {
+    columns_ = columns;
+    column_ = 0;
+  }
+  void end_row() override { begin_row(1); }
+
+  void text(const Text& text) override {
+    if (text.text.empty()) return;
+    faint_text("%.*s", static_cast<int>(text.text.size()), text.text.data());
+    hint(text.hint);
   }
 
   SliderChange slider(const Slider& slider, double& value) override {
     const std::string name(slider.name);
-    ImGui::TextUnformatted(name.c_str());
-    hint(slider.hint);
+    if (slider.has_title) draw_title(slider);
     const char* const format = slider.has_two_decimals ? "%.2f" : "%.3g";
     const ValueField field{{name, slider.low, slider.high}, format, log_};
     if (slider.scale == SliderScale::kLinear) return linear_slider(field, value);
@@ -60,20 +67,35 @@ class DrawnWidgets : public Widgets {
   }
 
   bool button(const Button& button) override {
-    const std::string name(button.name);
-    const bool is_pressed =
-        noted(name, ImGui::Button(name.c_str(), {button.is_wide ? -1.0f : 0.0f, 0}));
+    const float width = take_column();
+    const std::string label(button.label.empty() ? button.name : button.label);
+    const bool is_pressed = button.is_pressed.value_or(false);
+    if (is_pressed)
+      ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
+    const bool is_taken = ImGui::Button(label.c_str(), {width, 0});
+    if (is_pressed) ImGui::PopStyleColor();
+    note_place(std::string(button.name));
     hint(button.hint);
-    return is_pressed;
+    return is_taken;
+  }
+
+  bool check(const Check& check, bool& on) override {
+    take_column();
+    const std::string name(check.name);
+    const bool is_changed = noted(name, ImGui::Checkbox(name.c_str(), &on));
+    hint(check.hint);
+    return is_changed;
   }
 
   std::string_view choice(const Choice& choice, std::string_view chosen) override {
     const Option* const shown = find_option(choice, chosen);
     const std::string name(choice.name), title(shown ? shown->label : choice.otherwise);
+    const std::string_view what = choice.hint.empty() && shown ? shown->hint : choice.hint;
+    if (choice.is_labelled) draw_label(name, what);
     ImGui::SetNextItemWidth(-1);
     if (!noted(name, ImGui::BeginCombo(("##" + name).c_str(), title.c_str(),
                                        ImGuiComboFlags_HeightLarge))) {
-      if (shown) hint(shown->hint);
+      hint(what);
       return {};
     }
     std::string_view taken;
@@ -93,8 +115,40 @@ class DrawnWidgets : public Widgets {
     if (!text.empty()) burnish::hint(std::string(text).c_str());
   }
 
+  static void draw_title(const Slider& slider) {
+    ImGui::TextUnformatted(slider.name.data(), slider.name.data() + slider.name.size());
+    hint(slider.hint);
+    if (slider.note.empty()) return;
+    ImGui::SameLine();
+    faint_text("%.*s", static_cast<int>(slider.note.size()), slider.note.data());
+    hint(slider.hint);
+  }
+
+  static void draw_label(const std::string& name, std::string_view what) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(name.c_str());
+    hint(what);
+    ImGui::SameLine(em(6));
+  }
+
+  /// Goes to the next column of the row, and returns its width.
+  float take_column() {
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    if (column_ == 0) {
+      left_ = ImGui::GetCursorPosX();
+      width_ = (ImGui::GetContentRegionAvail().x - static_cast<float>(columns_ - 1) * gap) /
+               static_cast<float>(columns_);
+    } else {
+      ImGui::SameLine(left_ + static_cast<float>(column_) * (width_ + gap));
+    }
+    column_ = (column_ + 1) % columns_;
+    return width_;
+  }
+
   MessageLog& log_;
   bool is_enabled_ = true;
+  int columns_ = 1, column_ = 0;  // of the row, and the next of them
+  float left_ = 0, width_ = 0;    // of the first column
 };
 
 }  // namespace

@@ -131,10 +131,6 @@ void Document::commit_together(std::vector<Change> changes) {
   send_together(edits);
 }
 
-void Document::set_controls(const Controls& controls) {
-  send(SetControls{controls});
-}
-
 void Document::undo() {
   goes_on_ = false;
   for (int edits = undo_steps_.undo(); edits > 0; --edits) send(Undo{});

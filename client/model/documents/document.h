@@ -152,7 +152,6 @@ class Document {
 
   /// Bounds on what all edits do: as the user or the session set them last.
   const Controls& controls() const { return settings_.controls; }
-  void set_controls(const Controls& controls);
   /// Returns how many rims stay; nothing while the controls let them move, or before it is told.
   std::optional<RimCount> rims() const { return controls().pin_rims ? rims_ : std::nullopt; }
   /// Changes the region in which nothing moves.

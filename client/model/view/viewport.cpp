@@ -235,6 +235,7 @@ void Viewport::look_at(const Vector2d& pixel, const Document& document) {
   const Look look{pixel, camera, size_, document.picture_changes(), shows_original(pixel)};
   if (looked_ == look) return;
   hover_ = hit_at(document, pixel);
+  if (hover_) last_hover_ = hover_->original;
   looked_ = look;
 }
 
@@ -305,6 +306,7 @@ void Viewport::reset(const Eigen::AlignedBox3d& box) {
   bookmarks.clear();
   measure_mode = false;
   leave();
+  last_hover_.reset();
   sent_ring_.reset();
   box_ = box;
 }

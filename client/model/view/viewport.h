@@ -51,6 +51,7 @@ class Viewport {
   bool measure_mode = false;   ///< the left button puts the ruler's ends
   double pressure = 1;         ///< of the pen that draws, 0 to 1; 1: a mouse
   std::optional<LassoWish> lasso_wish;
+  bool lasso_through = false;                    ///< of the next wish
   std::vector<Camera> bookmarks;                 ///< at most kBookmarksMax
   Clock clock = std::chrono::steady_clock::now;  ///< tells a double click
 
@@ -95,6 +96,8 @@ class Viewport {
 
   /// Returns the surface point under the pointer at the last update().
   const std::optional<SurfaceHit>& hover() const { return hover_; }
+  /// Returns the point of the original surface that was under the pointer last.
+  const std::optional<Vec3d>& last_hover() const { return last_hover_; }
   const std::optional<Eigen::Vector2d>& pointer() const { return pointer_; }
   /// Returns the line of the lasso that is being drawn, in pixels.
   const std::vector<Eigen::Vector2d>& lasso() const { return lasso_; }
@@ -157,6 +160,7 @@ class Viewport {
   std::vector<Eigen::Vector2d> lasso_;
   bool lasso_is_drawn_ = false;
   std::optional<SurfaceHit> hover_;
+  std::optional<Vec3d> last_hover_;
   std::optional<Look> looked_;  // the look that found hover_
   std::optional<BrushRing> sent_ring_;
 };

@@ -64,9 +64,6 @@ Front::Time Front::tick(Time now) {
     document->show_over(state_.shows_protection, state_.shows_curves);
     document->measuring().follow_deviation(document->shown());
     if (document->measuring().plane()) document->measuring().follow_section(document->shown());
-    if (state_.hover_session != document->session().id) state_.last_hover.reset();
-    state_.hover_session = document->session().id;
-    if (const auto& hover = workspace_.viewport.hover()) state_.last_hover = hover->original;
   }
   const Status drawn = draws ? draw(now) : Status::ok();
   const std::string failure = drawn.is_ok() ? "" : drawn.message();

@@ -20,7 +20,9 @@ class UsedWidgets : public Widgets {
   const Status& status() const { return status_; }
 
   void enable(bool on) override { is_enabled_ = on; }
-  void text(std::string_view) override {}
+  void begin_row(int) override {}
+  void end_row() override {}
+  void text(const Text&) override {}
 
   SliderChange slider(const Slider& slider, double& value) override {
     if (!is_meant(slider.name)) return SliderChange::kStill;
@@ -35,6 +37,14 @@ class UsedWidgets : public Widgets {
     if (!is_meant(button.name)) return false;
     status_ = Status::ok();
     return true;
+  }
+
+  bool check(const Check& check, bool& on) override {
+    if (!is_meant(check.name)) return false;
+    const auto wanted = parse_switch(value_);
+    status_ = wanted.status();
+    if (wanted.is_ok()) on = *wanted;
+    return wanted.is_ok();
   }
 
   std::string_view choice(const Choice& choice, std::string_view) override {

@@ -49,25 +49,6 @@ Status drag_brush(const FrontWords& line, Workspace& workspace) {
   return Status::ok();
 }
 
-Status set_lasso(const FrontWords& line, FrontParts& parts) {
-  RETURN_IF_ERROR(need_words(line, 1));
-  const std::string& what = line.words[0];
-  if (what != "off" && what != "protect" && what != "release")
-    return invalid_argument("'" + what + "' is not off, protect or release");
-  parts.state.lasso_through = line.words.size() > 1 && line.words[1] == "through";
-  auto& wish = parts.workspace.viewport.lasso_wish;
-  wish.reset();
-  if (what != "off") wish = LassoWish{parts.state.lasso_through, what == "release"};
-  return Status::ok();
-}
-
-Status protect_piece(FrontParts& parts) {
-  if (!parts.state.last_hover)
-    return failed_precondition("the pointer has not been on the surface yet");
-  parts.workspace.document()->protect({PieceRegion{*parts.state.last_hover}});
-  return Status::ok();
-}
-
 Status cut_section(const FrontParts& parts) {
   Measuring& measuring = parts.workspace.document()->measuring();
   if (measuring.ruler.ends().size() < 2)
@@ -130,8 +111,6 @@ std::optional<Status> do_tool_line(const FrontWords& line, FrontParts& parts) {
   if (command == "role") return set_role(line, document);
   if (command == "tool") return set_tool(line, workspace.viewport);
   if (command == "brush_drag") return drag_brush(line, workspace);
-  if (command == "lasso") return set_lasso(line, parts);
-  if (command == "protect_piece") return protect_piece(parts);
   if (command == "section") return do_section(line, parts);
   if (command == "depth") return open_at(line, workspace);
   if (command == "preset_keep") return keep_preset(line, document);

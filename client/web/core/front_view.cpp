@@ -24,35 +24,17 @@ Status set_lamp(const FrontWords& line, Lighting& lighting) {
   return Status::ok();
 }
 
-Status do_bookmark(const FrontWords& line, Viewport& viewport) {
-  RETURN_IF_ERROR(need_words(line, 1));
-  if (line.words[0] == "add") {
-    viewport.add_bookmark();
-    return Status::ok();
-  }
-  RETURN_IF_ERROR(need_words(line, 2));
-  ASSIGN_OR_RETURN(const int number, parse_integer(line.words[1]));
-  const auto& bookmarks = viewport.bookmarks;
-  if (number < 1 || static_cast<size_t>(number) > bookmarks.size())
-    return invalid_argument("bookmark " + line.words[1] + ": there are " +
-                            std::to_string(bookmarks.size()));
-  viewport.camera = bookmarks[static_cast<size_t>(number) - 1];
-  return Status::ok();
-}
-
 }  // namespace
 
 std::optional<Status> do_view_line(const FrontWords& line, FrontParts& parts) {
-  constexpr double kRangeMin = 0.05, kRangeMax = 20;  // cells
   Viewport& viewport = parts.workspace.viewport;
   ViewOptions& options = viewport.options;
   const std::string& command = line.command;
   if (command == "split_at") return set_number(line, 0, 1, options.split_at);
-  if (command == "displacement_range")
-    return set_number(line, kRangeMin, kRangeMax, options.displacement_range);
   if (command == "lamp") return set_lamp(line, options.lighting);
-  if (command == "bookmark") return do_bookmark(line, viewport);
-  if (command == "focus") {
+  if (command == "bookmark") {
+    viewport.add_bookmark();
+  } else if (command == "focus") {
     viewport.focus();
   } else if (command == "frame" && line.words.empty()) {
     viewport.go_home();

@@ -15,7 +15,7 @@ std::string snapshot_of(Workspace& workspace, FrontState& state);
 void write_document(Workspace& workspace, const FrontState& state, JsonWriter& json);
 
 /// Writes what its panels for editing show: members of a Document.
-void write_tools(const Workspace& workspace, const FrontState& state, JsonWriter& json);
+void write_tools(const Workspace& workspace, JsonWriter& json);
 /// Writes the panels that the window has too: likewise.
 void write_panels(Workspace& workspace, JsonWriter& json);
 /// Writes what its panels for looking show: likewise.

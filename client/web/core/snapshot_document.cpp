@@ -91,7 +91,7 @@ void write_document(Workspace& workspace, const FrontState& state, JsonWriter& j
   json.text("session", document.session().name).text("sessionId", document.session().id);
   write_scan_facts(workspace, json);
   write_link(document, json);
-  write_tools(workspace, state, json);
+  write_tools(workspace, json);
   write_panels(workspace, json);
   write_history(document, json);
   write_people(document, json);

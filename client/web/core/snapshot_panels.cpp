@@ -13,8 +13,16 @@ class WrittenWidgets : public Widgets {
 
   void enable(bool on) override { is_enabled_ = on; }
 
-  void text(std::string_view text) override {
-    if (!text.empty()) json_.open().text("kind", "text").text("name", text).close();
+  void begin_row(int columns) override {
+    json_.open().text("kind", "row").whole("columns", columns).key("widgets").open_list();
+  }
+  void end_row() override { json_.close_list().close(); }
+
+  void text(const Text& text) override {
+    if (text.text.empty()) return;
+    begin("text", text.text, text.hint);
+    mark("announced", text.is_announced);
+    json_.close();
   }
 
   SliderChange slider(const Slider& slider, double& value) override {
@@ -22,19 +30,31 @@ class WrittenWidgets : public Widgets {
     begin("slider", slider.name, slider.hint);
     json_.number("value", value).number("low", slider.low).number("high", slider.high);
     json_.text("scale", kScales[static_cast<int>(slider.scale)]);
-    json_.flag("twoDecimals", slider.has_two_decimals).close();
+    mark("twoDecimals", slider.has_two_decimals);
+    mark("untitled", !slider.has_title);
+    say("note", slider.note);
+    json_.close();
     return SliderChange::kStill;
   }
 
   bool button(const Button& button) override {
     begin("button", button.name, button.hint);
-    json_.flag("wide", button.is_wide).close();
+    say("label", button.label);
+    if (button.is_pressed) json_.flag("pressed", *button.is_pressed);
+    json_.close();
+    return false;
+  }
+
+  bool check(const Check& check, bool& on) override {
+    begin("check", check.name, check.hint);
+    json_.flag("on", on).close();
     return false;
   }
 
   std::string_view choice(const Choice& choice, std::string_view chosen) override {
     const Option* const shown = find_option(choice, chosen);
-    begin("choice", choice.name, shown ? std::string_view(shown->hint) : std::string_view());
+    begin("choice", choice.name, choice.hint.empty() && shown ? shown->hint : choice.hint);
+    mark("labelled", choice.is_labelled);
     json_.text("value", chosen).key("choices").open_list();
     for (const Option& option : choice.options)
       json_.open_list().text(option.word).text(option.label).close_list();
@@ -54,8 +74,14 @@ class WrittenWidgets : public Widgets {
  private:
   void begin(std::string_view kind, std::string_view name, std::string_view hint) {
     json_.open().text("kind", kind).text("name", name);
-    if (!hint.empty()) json_.text("hint", hint);
-    json_.flag("disabled", !is_enabled_);
+    say("hint", hint);
+    mark("disabled", !is_enabled_);
+  }
+  void mark(std::string_view name, bool is) {
+    if (is) json_.flag(name, true);
+  }
+  void say(std::string_view name, std::string_view text) {
+    if (!text.empty()) json_.text(name, text);
   }
 
   JsonWriter& json_;

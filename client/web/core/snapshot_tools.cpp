@@ -77,12 +77,11 @@ void write_brush(const Brush& brush, JsonWriter& json) {
   json.text("paints", painted_word(brush)).flag("through", !brush.connected).close();
 }
 
-void write_pointer(const Workspace& workspace, const FrontState& state, JsonWriter& json) {
+void write_pointer(const Workspace& workspace, JsonWriter& json) {
   const Viewport& viewport = workspace.viewport;
   json.text("tool", viewport.measure_mode ? "measure" : viewport.navigate_mode ? "look" : "paint");
   const auto& wish = viewport.lasso_wish;
   json.text("lasso", !wish ? "off" : wish->release ? "release" : "protect");
-  json.flag("lassoThrough", wish ? wish->through : state.lasso_through);
   json.key("mirror");
   if (const auto& mirror = workspace.document()->mirror) {
     static constexpr const char* kAxes[] = {"x", "y", "z"};
@@ -92,24 +91,19 @@ void write_pointer(const Workspace& workspace, const FrontState& state, JsonWrit
   }
   json.flag("hasPen", workspace.has_pen);
   json.flag("penPressure", workspace.preferences.pen_pressure);
-  json.flag("hasPiece", state.last_hover.has_value());
 }
 
 }  // namespace
 
-void write_tools(const Workspace& workspace, const FrontState& state, JsonWriter& json) {
+void write_tools(const Workspace& workspace, JsonWriter& json) {
   const Document& document = *workspace.document();
   json.number("beta", document.beta()).number("fidelity", document.curve().fidelity());
   write_curve(document, json);
-  const Controls& controls = document.controls();
-  json.key("controls").open().flag("pinRims", controls.pin_rims).number("cap", controls.cap);
-  json.flag("keepVolume", controls.keep_volume).close();
-  json.text("rims", rims_text(document)).text("walls", walls_text(document));
   json.flag("keepsEdges", document.edges().is_on());
   write_bands(document, json);
   write_palette(document, json);
   write_brush(document.brush().brush, json);
-  write_pointer(workspace, state, json);
+  write_pointer(workspace, json);
 }
 
 }  // namespace burnish

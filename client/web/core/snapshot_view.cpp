@@ -17,13 +17,10 @@ void write_options(const Workspace& workspace, JsonWriter& json) {
   const Viewport& viewport = workspace.viewport;
   const ViewOptions& options = viewport.options;
   json.key("view").open().text("colour", kColours[static_cast<int>(document.colour())]);
-  json.number("displacementRange", options.displacement_range);
-  json.flag("flat", options.flat).flag("wireframe", options.wireframe);
+  json.flag("wireframe", options.wireframe);
   json.flag("split", options.split).number("splitAt", options.split_at);
   json.flag("original", viewport.hold_original);
   json.flag("orthographic", viewport.camera.orthographic);
-  json.text("up", name_of(viewport.camera.up));
-  json.whole("bookmarks", static_cast<int64_t>(viewport.bookmarks.size()));
   json.text("status", status_text(document.surface().status())).close();
 }
 

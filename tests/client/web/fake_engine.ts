@@ -2,7 +2,7 @@
 // they say. It obeys a few lines, so that the page sees its own changes.
 
 import type { ToPage, ToWorker } from "../../../client/web/page/src/protocol";
-import type { Snapshot } from "../../../client/web/page/src/snapshot";
+import type { Snapshot, Widget } from "../../../client/web/page/src/snapshot";
 import { session, snapshot } from "./sample";
 
 /** What a test tells the engine. */
@@ -25,6 +25,20 @@ function changeDocument(part: object): void {
   if (now.document) change({ document: { ...now.document, ...part } });
 }
 
+/** Switches, moves or chooses one widget: "Light/Lamp". */
+function usePanel(value: string, place: string): void {
+  if (!now.document) return;
+  const [panel, name] = place.split("/") as [string, string];
+  const used = (one: Widget): Widget => {
+    if (one.kind === "row") return { ...one, widgets: one.widgets.map(used) };
+    if (one.name !== name) return one;
+    if (one.kind === "check") return { ...one, on: value === "on" };
+    if (one.kind === "slider") return { ...one, value: Number(value) };
+    return one.kind === "choice" ? { ...one, value } : one;
+  };
+  changeDocument({ panels: { ...now.document.panels, [panel]: now.document.panels[panel]!.map(used) } });
+}
+
 /** Obeys the lines whose effect a test looks at. */
 function obey(line: string): void {
   const words = line.replace(/^preview /, "").split(" ");
@@ -35,6 +49,7 @@ function obey(line: string): void {
   if (words[0] === "tool") changeDocument({ tool: words[1] });
   if (words[0] === "wireframe" && now.document)
     changeDocument({ view: { ...now.document.view, wireframe: words[1] === "on" } });
+  if (words[0] === "panel") usePanel(words[2]!, words.slice(3).join(" "));
   if (words[0] === "mirror")
     changeDocument({ mirror: words[1] === "off" ? null : { axis: words[1], at: Number(words[2] ?? 0) } });
   if (line === "record start" || line === "record stop") change({ recording: line === "record start" });

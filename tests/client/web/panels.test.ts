@@ -268,22 +268,21 @@ test("LimitsHoldRimsMovesAndRegions", () =>
     const panel = visit.page.getByRole("region", { name: "Limits" });
     await visit.sent("over protection on");
     await panel.getByText("rims: 3 of 5 stay").waitFor();
-    await visit.document({ rims: "" });
-    await panel.getByText("rims: 3 of 5 stay").waitFor({ state: "detached" });
     await panel.getByText("Walls: 24 % of the surface").waitFor();
-    await visit.document({ walls: "" });
-    await panel.getByText("Walls:").waitFor({ state: "detached" });
     await panel.getByRole("checkbox", { name: "Rims stay" }).click();
-    await visit.sent("controls off 0 off");
+    await visit.sent("panel commit off Limits/Rims stay");
     assert.ok(await panel.getByRole("checkbox", { name: "Volume stays" }).isDisabled());
+    await panel.getByText("at the right: any").waitFor();
     await panel.getByRole("textbox", { name: "Largest move as a number" }).fill("0.5");
     await visit.page.keyboard.press("Enter");
-    await visit.sent("controls on 0.5 off");
-    await panel.getByRole("button", { name: "Protect" }).click();
-    await visit.sent("lasso protect");
-    for (const [name, line] of [["Grow", "protect grow 1"], ["Invert", "protect invert"], ["Piece", "protect_piece"], ["Clear", "protect clear"]] as const) {
+    await visit.sent("panel commit 0.5 Limits/Largest move");
+    await panel.getByRole("button", { name: "Protect", pressed: false }).click();
+    await visit.sent("panel commit press Limits/Protect");
+    await panel.getByRole("button", { name: "Release", pressed: true }).waitFor();
+    assert.equal(await panel.getByRole("status").textContent(), "the protected region is hatched");
+    for (const name of ["Grow", "Invert", "Piece", "Clear"]) {
       await panel.getByRole("button", { name }).click();
-      await visit.sent(line);
+      await visit.sent(`panel commit press Limits/${name}`);
     }
   }));
 
@@ -425,23 +424,25 @@ test("ViewHasColoursSplitAndBookmarks", () =>
   bench.visitSession(async (visit) => {
     const panel = visit.page.getByRole("region", { name: "View", exact: true });
     await panel.getByRole("combobox", { name: "Colour" }).selectOption("Displacement");
-    await visit.sent("colour displacement");
-    for (const [name, line] of [["Flat", "flat on"], ["Wireframe", "wireframe on"], ["Split", "split on"], ["Original", "original on"], ["Left button turns the view", "tool look"]] as const) {
+    await visit.sent("panel commit displacement View/Colour");
+    for (const [name, value] of [["Flat", "on"], ["Wireframe", "on"]] as const) {
       await panel.getByRole("checkbox", { name }).click();
-      await visit.sent(line);
+      await visit.sent(`panel commit ${value} View/${name}`);
     }
-    assert.ok(await panel.getByRole("checkbox", { name: "Wireframe" }).isChecked());
+    await panel.getByRole("checkbox", { name: "Flat", checked: true }).waitFor();
+    await panel.getByRole("slider", { name: "Place of the split" }).fill("250");
+    await visit.sent("panel preview 0.275 View/Place of the split");
     await panel.getByRole("button", { name: "Frame all" }).click();
-    await visit.sent("frame");
+    await visit.sent("panel commit press View/Frame all");
     await panel.getByRole("button", { name: "Bookmark 2" }).click();
-    await visit.sent("bookmark show 2");
+    await visit.sent("panel commit press View/Bookmark 2");
     const camera = await visit.section("Camera");
-    await camera.getByRole("combobox", { name: "Up" }).selectOption("-y");
-    await visit.sent("up -y");
+    await camera.getByRole("combobox", { name: "Up" }).selectOption("-z");
+    await visit.sent("panel commit -z Camera/Up");
     await camera.getByRole("button", { name: "Bottom" }).click();
-    await visit.sent("view bottom");
+    await visit.sent("panel commit press Camera/Bottom");
     await camera.getByRole("checkbox", { name: "Orthographic" }).click();
-    await visit.sent("orthographic on");
+    await visit.sent("panel commit on Camera/Orthographic");
   }));
 
 test("KeysOfOnesOwnStayAndTakeNoOther", () =>

@@ -21,7 +21,7 @@ export const library: Library = {
 };
 
 const slider = (name: string, hint: string, value: number, low: number, high: number): SliderWidget =>
-  ({ kind: "slider", name, hint, disabled: false, value, low, high, scale: "linear", twoDecimals: false });
+  ({ kind: "slider", name, hint, value, low, high, scale: "linear" });
 
 const line = Array.from({ length: 49 }, (_, i) => 0.63 + 0.2 * Math.sin(i / 8));
 
@@ -64,10 +64,6 @@ export const session: Document = {
     contrast: 2.4,
     histogram: Array.from({ length: 64 }, (_, i) => Math.exp(-(((i - 32) / 9) ** 2))),
   },
-  controls: { pinRims: true, cap: 0, keepVolume: false },
-  rims: "rims: 3 of 5 stay",
-  walls:
-    "Walls: 24 % of the surface is thinner than a cell; an edit of one side moves the other.",
   keepsEdges: true,
   bands: [
     { size: 2, gain: 1, details: "finer than 2" },
@@ -78,11 +74,9 @@ export const session: Document = {
   brush: { radius: 4, strength: 0.5, beta: 0, fallOff: "smooth", paints: "beta", through: false },
   tool: "paint",
   lasso: "off",
-  lassoThrough: false,
   mirror: null,
   hasPen: true,
   penPressure: true,
-  hasPiece: true,
   panels: {
     "Keep edges": [
       { kind: "text", name: "Noise goes, edges stay, and what is sharpened is the surface without its noise." },
@@ -90,7 +84,6 @@ export const session: Document = {
         kind: "choice",
         name: "Kept edges",
         hint: "For reliefs and inscriptions",
-        disabled: false,
         value: "relief",
         choices: [["off", "Off"], ["auto", "For this scan"], ["machined", "Machined part"], ["relief", "Relief and inscription"]],
       },
@@ -98,16 +91,91 @@ export const session: Document = {
       slider("Edge angle", "Degrees: sharper bends are edges, and stay", 35, 5, 120),
       { ...slider("Noise size", "Noise of up to about this length goes, in the scan's units.", 1, 0.5, 5), scale: "logarithmic" },
     ],
+    Limits: [
+      {
+        kind: "row",
+        columns: 2,
+        widgets: [
+          { kind: "check", name: "Rims stay", hint: "The rims of an open scan stay where they are.", on: true },
+          { kind: "check", name: "Volume stays", disabled: true, on: false },
+        ],
+      },
+      { kind: "text", name: "rims: 3 of 5 stay", hint: "The others are small holes, or run over another piece" },
+      { kind: "text", name: "Walls: 24 % of the surface is thinner than a cell; an edit of one side moves the other." },
+      { ...slider("Largest move", "No point of the surface moves farther.", 150, 1.5e-4, 150), scale: "logarithmic", note: "at the right: any" },
+      {
+        kind: "row",
+        columns: 3,
+        widgets: [
+          { kind: "button", name: "Protect", pressed: false },
+          { kind: "button", name: "Release", pressed: true },
+          { kind: "check", name: "Through", on: false },
+        ],
+      },
+      {
+        kind: "row",
+        columns: 3,
+        widgets: [
+          { kind: "button", name: "Grow" },
+          { kind: "button", name: "Shrink" },
+          { kind: "button", name: "Invert" },
+        ],
+      },
+      {
+        kind: "row",
+        columns: 3,
+        widgets: [
+          { kind: "button", name: "Piece" },
+          { kind: "button", name: "Clear" },
+        ],
+      },
+      { kind: "text", name: "the protected region is hatched", announced: true },
+    ],
+    View: [
+      { kind: "choice", name: "Colour", value: "clay", choices: [["clay", "Clay"], ["displacement", "Displacement"]] },
+      {
+        kind: "row",
+        columns: 2,
+        widgets: [
+          { kind: "check", name: "Flat", hint: "Gives each triangle one shade.", on: false },
+          { kind: "check", name: "Wireframe", on: false },
+        ],
+      },
+      { ...slider("Place of the split", "", 0.5, 0.05, 0.95), twoDecimals: true, untitled: true },
+      {
+        kind: "row",
+        columns: 2,
+        widgets: [
+          { kind: "button", name: "Frame all" },
+          { kind: "button", name: "Bookmark" },
+        ],
+      },
+      {
+        kind: "row",
+        columns: 6,
+        widgets: [
+          { kind: "button", name: "Bookmark 1", label: "1" },
+          { kind: "button", name: "Bookmark 2", label: "2" },
+        ],
+      },
+      { kind: "text", name: "all 20 k triangles shown" },
+    ],
+    Camera: [
+      { kind: "choice", name: "Up", hint: "The scan's axis that points up.", labelled: true, value: "z", choices: [["x", "x"], ["z", "z"], ["-z", "-z"]] },
+      { kind: "row", columns: 3, widgets: ["Front", "Back", "Right"].map((name) => ({ kind: "button", name })) },
+      { kind: "row", columns: 3, widgets: ["Left", "Top", "Bottom"].map((name) => ({ kind: "button", name })) },
+      { kind: "check", name: "Orthographic", on: false },
+    ],
     Light: [
-      { kind: "choice", name: "Light", hint: "A lamp, the sky and a weak second lamp.", disabled: false, value: "clay", choices: [["clay", "Clay"], ["raking", "Raking light"]] },
-      { kind: "lamp", name: "Lamp", disabled: false, azimuth: 137, elevation: 25, ballX: -0.5, ballY: 0.5 },
+      { kind: "choice", name: "Light", hint: "A lamp, the sky and a weak second lamp.", value: "clay", choices: [["clay", "Clay"], ["raking", "Raking light"]] },
+      { kind: "lamp", name: "Lamp", azimuth: 137, elevation: 25, ballX: -0.5, ballY: 0.5 },
       { ...slider("Occlusion", "", 0, 0, 1), twoDecimals: true },
-      { kind: "button", name: "As at first", disabled: false, wide: false },
+      { kind: "button", name: "As at first" },
     ],
     Colours: [
-      { kind: "button", name: "Show colours", disabled: false, wide: true },
+      { kind: "button", name: "Show colours" },
       { ...slider("Gradient scale of colours", "Left evens the colours out.", 1, 0, 10), scale: "beta" },
-      { kind: "button", name: "Keep colours", hint: "Sets the gradient scale to 1. Painted colours stay painted.", disabled: false, wide: true },
+      { kind: "button", name: "Keep colours", hint: "Sets the gradient scale to 1. Painted colours stay painted." },
       { ...slider("Texture gain", "Left fades them, right makes them stronger", 1, 0, 4), twoDecimals: true },
     ],
   },
@@ -123,15 +191,11 @@ export const session: Document = {
   ],
   view: {
     colour: "clay",
-    displacementRange: 1,
-    flat: false,
     wireframe: false,
     split: false,
     splitAt: 0.5,
     original: false,
     orthographic: false,
-    up: "z",
-    bookmarks: 2,
     status: "all 20 k triangles shown",
   },
   scale: { title: "displacement", low: "-0.6 mm", middle: "0", high: "0.6 mm", part: 0.3, value: "0.18 mm" },

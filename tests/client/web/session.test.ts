@@ -167,7 +167,7 @@ test("EngineThatLostItsContextIsReplacedWithinTheSession", () =>
     await visit.sent("session join s1");
     await visit.page.getByRole("region", { name: "Filter" }).waitFor();
     await visit.page.getByRole("checkbox", { name: "Wireframe" }).click();
-    await visit.sent("wireframe on");
+    await visit.sent("panel commit on View/Wireframe");
     assert.deepEqual((await visit.seen()).filter((one) => one.kind === "left"), []);
   }));
 

@@ -2,17 +2,15 @@
 
 import { useEffect, useState } from "preact/hooks";
 import { BrushPanel } from "./brush_panel";
-import { Section, Figures } from "./controls";
+import { Section, Figures, useOver } from "./controls";
 import { CurvePanel } from "./curve_panel";
 import { EqualiserPanel } from "./equaliser_panel";
 import { FilterPanel, type PanelProps, type PresetProps } from "./filter_panel";
 import { Gradual } from "./gradual";
 import { HistoryPanel } from "./history_panel";
-import { LimitsPanel } from "./limits_panel";
 import { NumbersPanel } from "./numbers_panel";
 import { PalettePanel } from "./palette_panel";
 import { PeoplePanel } from "./people_panel";
-import { CameraPanel, ViewPanel } from "./view_panel";
 import { WidgetPanel } from "./widget_panel";
 
 const kWide = "(min-width: 960px)";
@@ -68,11 +66,25 @@ export function EditColumn(props: PresetProps & { children?: preact.ComponentChi
   );
 }
 
+function LimitsPanel({ document }: PanelProps) {
+  useOver("protection");
+  return (
+    <>
+      <WidgetPanel document={document} name="Limits" />
+      {document.lasso !== "off" && (
+        <div class="faint" role="status">
+          by keys: Tab leads to a pen in the picture
+        </div>
+      )}
+    </>
+  );
+}
+
 export function ShowSections({ document, figures }: PanelProps & { figures: boolean }) {
   return (
     <Gradual>
       <Section name="View">
-        <ViewPanel document={document} />
+        <WidgetPanel document={document} name="View" />
       </Section>
       <Section name="History">
         <HistoryPanel document={document} />
@@ -87,7 +99,7 @@ export function ShowSections({ document, figures }: PanelProps & { figures: bool
         <WidgetPanel document={document} name="Light" />
       </Section>
       <Section name="Camera" folded>
-        <CameraPanel document={document} />
+        <WidgetPanel document={document} name="Camera" />
       </Section>
       {figures && (
         <Section name="Figures">

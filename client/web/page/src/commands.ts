@@ -1,6 +1,6 @@
 // The lines that the page sends. Lines of the script language do the same in `burnish --script`.
 
-import type { Brush, ColourBy, FallOff, Lasso, Role, Tool, UpAxis } from "./snapshot";
+import type { Brush, ColourBy, FallOff, Role, Tool } from "./snapshot";
 
 /** A line of a front: its form and its meaning. */
 export interface FrontCommand {
@@ -15,7 +15,6 @@ export const frontCommands: readonly FrontCommand[] = [
   { form: "preview fidelity ALPHA", means: "shows a fidelity during a drag; `fidelity ALPHA` ends it" },
   { form: "preview bands [SIZE:GAIN]...", means: "shows bands during a drag; `bands` ends it" },
   { form: "preview palette CURVE RRGGBB NAME [; ...]", means: "shows a palette during a drag" },
-  { form: "preview controls PIN CAP KEEP", means: "shows controls during a drag" },
   { form: "panel preview|commit VALUE PANEL/WIDGET", means: "moves a slider, or lets it go; chooses; presses a button" },
   { form: "plot grab X Y REACH_X REACH_Y", means: "takes the curve's point there, or adds one" },
   { form: "plot take N", means: "takes the curve's point N, from 0" },
@@ -34,8 +33,6 @@ export const frontCommands: readonly FrontCommand[] = [
   { form: "message dismiss N", means: "drops a message from the snapshot" },
   { form: "tool paint|look|measure", means: "sets what the left button does" },
   { form: "brush_drag radius|strength", means: "lets the pointer's moves set it until a click" },
-  { form: "lasso off|protect|release [through]", means: "lets the next drag draw a line" },
-  { form: "protect_piece", means: "protects the piece that the pointer was on last" },
   { form: "section cut", means: "cuts the surface along the ruler, in the direction of the view" },
   { form: "section close", means: "forgets the section" },
   { form: "section save svg|csv", means: "downloads the section as a drawing or a table" },
@@ -47,10 +44,8 @@ export const frontCommands: readonly FrontCommand[] = [
   { form: "depth N", means: "opens a fork of the session at another depth" },
   { form: "bands first", means: "makes bands to begin with" },
   { form: "split_at X", means: "puts the line of the split at a part of the width" },
-  { form: "displacement_range CELLS", means: "sets where the colour of displacement is full" },
   { form: "lamp X Y", means: "puts the lamp where the ball shows X Y, -1 to 1, y upwards" },
   { form: "bookmark add", means: "remembers this view" },
-  { form: "bookmark show N", means: "shows view N, from 1" },
   { form: "focus", means: "turns around the point under the pointer" },
   { form: "cancel", means: "cancels the stroke or the lasso" },
   { form: "figures on|off", means: "says whether the figures are shown, which costs snapshots" },
@@ -89,7 +84,6 @@ export const command = {
   preset: (preset: string, strength: number) => words("preset", preset, strength),
   presetKeep: (text: string) => words("preset_keep", name(text)),
   presetDelete: (text: string) => words("preset_delete", text),
-  controls: (pin: boolean, cap: number, keep: boolean) => words("controls", onOff(pin), cap, onOff(keep)),
   bands: bandsText,
   firstBands: () => "bands first",
   palette: paletteText,
@@ -112,9 +106,6 @@ export const command = {
     at === undefined ? words("mirror", axis) : words("mirror", axis, at),
   tool: (tool: Tool) => words("tool", tool),
   pen: (on: boolean) => words("pen", onOff(on)),
-  lasso: (lasso: Lasso, through: boolean) => words("lasso", lasso, ...(through ? ["through"] : [])),
-  protect: (text: string) => words("protect", text),
-  protectPiece: () => "protect_piece",
 
   undo: () => "undo",
   redo: () => "redo",
@@ -125,19 +116,15 @@ export const command = {
   role: (user: string, role: Role) => words("role", user, role),
 
   colour: (by: ColourBy) => words("colour", by),
-  displacementRange: (cells: number) => words("displacement_range", cells),
-  flat: (on: boolean) => words("flat", onOff(on)),
   wireframe: (on: boolean) => words("wireframe", onOff(on)),
   split: (on: boolean) => words("split", onOff(on)),
   splitAt: (part: number) => words("split_at", part),
   original: (on: boolean) => words("original", onOff(on)),
   orthographic: (on: boolean) => words("orthographic", onOff(on)),
-  up: (axis: UpAxis) => words("up", axis),
   view: (view: string) => words("view", view),
   frame: () => "frame",
   focus: () => "focus",
   bookmarkAdd: () => "bookmark add",
-  bookmarkShow: (bookmark: number) => words("bookmark show", bookmark),
   lamp: (x: number, y: number) => words("lamp", x, y),
   lightDirection: (azimuth: number, elevation: number) => words("light_direction", azimuth, elevation),
   figures: (on: boolean) => words("figures", onOff(on)),

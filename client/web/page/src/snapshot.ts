@@ -131,7 +131,6 @@ export interface Brush {
 }
 
 export type Axis = "x" | "y" | "z";
-export type UpAxis = Axis | "-x" | "-y" | "-z";
 export type ColourBy = "clay" | "beta" | "curvature" | "displacement" | "scan";
 export type Role = "viewer" | "editor" | "owner";
 export type Tool = "paint" | "look" | "measure";
@@ -159,17 +158,12 @@ export interface Person {
 
 export interface View {
   colour: ColourBy;
-  /** Cells of the grid at which the colour of displacement is full. */
-  displacementRange: number;
-  flat: boolean;
   wireframe: boolean;
   split: boolean;
   /** Part of the picture's width that shows the original. */
   splitAt: number;
   original: boolean;
   orthographic: boolean;
-  up: UpAxis;
-  bookmarks: number;
   /** Loading state of the surface in words. */
   status: string;
 }
@@ -178,7 +172,7 @@ interface UsableWidget {
   /** Unique in its panel. */
   name: string;
   hint?: string;
-  disabled: boolean;
+  disabled?: boolean;
 }
 
 export interface SliderWidget extends UsableWidget {
@@ -188,7 +182,10 @@ export interface SliderWidget extends UsableWidget {
   high: number;
   scale: "linear" | "logarithmic" | "beta";
   /** Else three digits. */
-  twoDecimals: boolean;
+  twoDecimals?: boolean;
+  untitled?: boolean;
+  /** Behind the title. */
+  note?: string;
 }
 
 export interface LampWidget extends UsableWidget {
@@ -202,11 +199,13 @@ export interface LampWidget extends UsableWidget {
 
 /** A part of a panel (client/panels/widgets.h). A text is its own name. */
 export type Widget =
-  | { kind: "text"; name: string }
+  | { kind: "row"; columns: number; widgets: Widget[] }
   | SliderWidget
   | LampWidget
-  | (UsableWidget & { kind: "button"; wide: boolean })
-  | (UsableWidget & { kind: "choice"; value: string; choices: [string, string][] });
+  | (UsableWidget & { kind: "text"; announced?: boolean })
+  | (UsableWidget & { kind: "button"; label?: string; pressed?: boolean })
+  | (UsableWidget & { kind: "check"; on: boolean })
+  | (UsableWidget & { kind: "choice"; labelled?: boolean; value: string; choices: [string, string][] });
 
 /** What the colours of the picture mean. */
 export interface ColourScale {
@@ -288,11 +287,6 @@ export interface Document {
   beta: number;
   fidelity: number;
   curve: Curve;
-  controls: { pinRims: boolean; cap: number; keepVolume: boolean };
-  /** How many rims stay, in words; empty: none is known. */
-  rims: string;
-  /** How much of the scan is on thin walls, in words; empty: nothing is told. */
-  walls: string;
   keepsEdges: boolean;
   bands: Band[];
   /** By how much waves are multiplied, from two cells to the diagonal, evenly in log length. */
@@ -301,13 +295,10 @@ export interface Document {
   brush: Brush;
   tool: Tool;
   lasso: Lasso;
-  lassoThrough: boolean;
   mirror: { axis: Axis; at: number } | null;
   /** A pen has drawn; its pressure may rule the strength. */
   hasPen: boolean;
   penPressure: boolean;
-  /** The pointer has been on a piece of the surface, for `protect_piece`. */
-  hasPiece: boolean;
 
   /** By name. */
   panels: Record<string, Widget[]>;

@@ -14,7 +14,6 @@ import { Toasts } from "./messages";
 import { OverPicture } from "./over_picture";
 import { Picture } from "./picture";
 import type { Document } from "./snapshot";
-import { kViews } from "./view_panel";
 import { Widgets } from "./widget_panel";
 
 /** Actions of keys that look. */
@@ -64,6 +63,7 @@ function Facts({ scan, document }: { scan: PublishedScan; document: Document | n
   );
 }
 
+const kViews = ["Front", "Back", "Right", "Left", "Top", "Bottom"];
 const kSides = [
   ["after", "Edited"],
   ["split", "Split"],
@@ -84,7 +84,7 @@ function Bar({ document, link }: { document: Document; link: EngineLink }) {
           <Button key={one} label={label} pressed={side === one} onClick={() => show(one)} />
         ))}
       </div>
-      <Widgets panel="Light" widgets={document.panels.Light!.filter(({ name }) => name === "Light")} />
+      <Widgets panel="Light" widgets={document.panels.Light!.slice(0, 1)} />
       {document.hasColours && (
         <Choice
           name="Colour"

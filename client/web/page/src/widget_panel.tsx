@@ -2,7 +2,7 @@
 
 import { command } from "./commands";
 import { useLink } from "./context";
-import { Button, Choice, Title } from "./controls";
+import { Button, Check, Choice, Title } from "./controls";
 import type { PanelProps } from "./filter_panel";
 import { Lamp } from "./lamp";
 import { Slider, betaScale, betaTone, linear, logarithmic } from "./slider";
@@ -13,25 +13,49 @@ export const WidgetPanel = ({ document, name }: PanelProps & { name: string }) =
   <Widgets panel={name} widgets={document.panels[name] ?? []} />
 );
 
+/** Classes by the count of columns. */
+const kRows: Record<number, string> = { 2: "row", 3: "thirds", 6: "sixths" };
+
 export const Widgets = ({ panel, widgets }: { panel: string; widgets: Widget[] }) => (
   <>
-    {widgets.map((widget) => (
-      <Drawn key={widget.name} {...{ widget }} place={`${panel}/${widget.name}`} />
-    ))}
+    {widgets.map((widget, i) =>
+      widget.kind === "row" ? (
+        <div key={i} class={kRows[widget.columns]}>
+          <Widgets panel={panel} widgets={widget.widgets} />
+        </div>
+      ) : (
+        <Drawn key={widget.name} {...{ widget }} place={`${panel}/${widget.name}`} />
+      ),
+    )}
   </>
 );
 
 const scaleOf = ({ scale, low, high }: SliderWidget) =>
   scale === "beta" ? betaScale : scale === "linear" ? linear(low, high) : logarithmic(low, high);
 
-function Drawn({ widget, place }: { widget: Widget; place: string }) {
+function Drawn({ widget, place }: { widget: Exclude<Widget, { kind: "row" }>; place: string }) {
   const link = useLink();
   const commit = (value: number | string) => link.send(command.panel("commit", value, place));
   switch (widget.kind) {
     case "text":
-      return <div class="faint">{widget.name}</div>;
+      return (
+        <div class="faint" title={widget.hint} role={widget.announced ? "status" : undefined}>
+          {widget.name}
+        </div>
+      );
     case "button":
-      return <Button {...widget} name={undefined} label={widget.name} class={widget.wide ? "wide" : undefined} onClick={() => commit("press")} />;
+      return (
+        <Button
+          label={widget.label ?? widget.name}
+          name={widget.label && widget.name}
+          hint={widget.hint}
+          pressed={widget.pressed}
+          disabled={widget.disabled}
+          onClick={() => commit("press")}
+        />
+      );
+    case "check":
+      return <Check {...widget} label={widget.name} onChange={(on) => commit(on ? "on" : "off")} />;
     case "choice":
       return <Choice {...widget} onChange={commit} />;
     case "lamp":
@@ -39,7 +63,7 @@ function Drawn({ widget, place }: { widget: Widget; place: string }) {
     case "slider":
       return (
         <>
-          <Title text={widget.name} hint={widget.hint} />
+          {!widget.untitled && <Title text={widget.name} note={widget.note} hint={widget.hint} />}
           <Slider
             {...widget}
             scale={scaleOf(widget)}

@@ -1,0 +1,106 @@
+#include <iterator>
+#include <string>
+
+#include "client/panels/panels.h"
+#include "client/scene/standard_view.h"
+
+namespace burnish {
+namespace {
+
+constexpr Option kColours[] = {{"clay", "Clay"},
+                               {"beta", "Gradient scale β"},
+                               {"curvature", "Curvature"},
+                               {"displacement", "Displacement"},
+                               {"scan", "Colours of the scan"}};  // as ColourBy
+
+void choose_colour(Document& document, Widgets& widgets) {
+  const std::span options(kColours, std::size(kColours) - (document.has_colours() ? 0 : 1));
+  const auto chosen = static_cast<size_t>(document.colour());
+  const std::string_view word = widgets.choice({"Colour", options}, kColours[chosen].word);
+  for (size_t i = 0; i < options.size(); ++i)
+    if (word == options[i].word) document.set_colour(static_cast<ColourBy>(i));
+}
+
+void show_toggles(Viewport& viewport, Widgets& widgets) {
+  ViewOptions& options = viewport.options;
+  widgets.begin_row(2);
+  widgets.check({"Flat", "Gives each triangle one shade."}, options.flat);
+  widgets.check({"Wireframe"}, options.wireframe);
+  widgets.end_row();
+  widgets.begin_row(2);
+  widgets.check({"Split",
+                 "Shows the original on the left, the edited surface on the right. Hold Space to "
+                 "see the original everywhere."},
+                options.split);
+  widgets.check({"Original", "Shows the surface before all edits."}, viewport.hold_original);
+  widgets.end_row();
+  if (options.split)
+    widgets.slider({.name = "Place of the split",
+                    .low = 0.05,
+                    .high = 0.95,
+                    .has_two_decimals = true,
+                    .has_title = false},
+                   options.split_at);
+}
+
+void show_bookmarks(Viewport& viewport, Widgets& widgets) {
+  widgets.begin_row(2);
+  if (widgets.button({"Frame all"})) viewport.go_home();
+  if (widgets.button({"Bookmark"})) viewport.add_bookmark();
+  widgets.end_row();
+  constexpr size_t kInRow = 6;
+  for (size_t i = 0; i < viewport.bookmarks.size(); ++i) {
+    if (i % kInRow == 0) widgets.begin_row(kInRow);
+    const std::string label = std::to_string(i + 1);
+    if (widgets.button({.name = "Bookmark " + label, .label = label}))
+      viewport.camera = viewport.bookmarks[i];
+    if (i % kInRow == kInRow - 1 || i + 1 == viewport.bookmarks.size()) widgets.end_row();
+  }
+}
+
+}  // namespace
+
+void show_view(Workspace& workspace, Widgets& widgets) {
+  Document& document = *workspace.document();
+  Viewport& viewport = workspace.viewport;
+  choose_colour(document, widgets);
+  if (document.colour() == ColourBy::kDisplacement)
+    widgets.slider({.name = "Displacement",
+                    .low = 0.05,
+                    .high = 20,
+                    .scale = SliderScale::kLogarithmic,
+                    .note = "full colour at this many cells"},
+                   viewport.options.displacement_range);
+  show_toggles(viewport, widgets);
+  show_bookmarks(viewport, widgets);
+  if (widgets.check({"Left button turns the view"}, viewport.navigate_mode))
+    viewport.measure_mode = false;
+  widgets.text({status_text(document.surface().status())});
+  widgets.text({"depth " + std::to_string(document.depth())});
+}
+
+void show_camera(Workspace& workspace, Widgets& widgets) {
+  Viewport& viewport = workspace.viewport;
+  Option ups[kUpAxes];
+  for (int i = 0; i < kUpAxes; ++i) ups[i].word = ups[i].label = name_of(static_cast<UpAxis>(i));
+  const std::string_view up =
+      widgets.choice({.name = "Up",
+                      .options = ups,
+                      .hint = "The scan's axis that points up. It is kept with the session.",
+                      .is_labelled = true},
+                     name_of(viewport.camera.up));
+  if (!up.empty()) viewport.set_up(*parse_up_axis(up));
+  static constexpr std::string_view kViews[] = {"Front", "Back", "Right",
+                                                "Left",  "Top",  "Bottom"};  // as StandardView
+  constexpr int kInRow = 3;
+  for (int i = 0; i < kStandardViews; ++i) {
+    if (i % kInRow == 0) widgets.begin_row(kInRow);
+    if (widgets.button({kViews[i]})) viewport.show_from(static_cast<StandardView>(i));
+    if (i % kInRow == kInRow - 1) widgets.end_row();
+  }
+  widgets.check(
+      {"Orthographic", "Draws without perspective: equal lengths are equal in the picture."},
+      viewport.camera.orthographic);
+}
+
+}  // namespace burnish
