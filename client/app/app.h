@@ -104,7 +104,7 @@ class App {
   FilterPanel filter_panel_;
   DrawnPanel limits_panel_{kLimitsPanel};
   CurvePanel curve_panel_;
-  BrushPanel brush_panel_;
+  DrawnPanel brush_panel_{kBrushPanel};
   DrawnPanel edges_panel_{kEdgesPanel};
   EqualiserPanel equaliser_panel_;
   DrawnPanel colour_panel_{kColourPanel};

@@ -29,15 +29,14 @@ void show_filter(Document& document, Widgets& widgets) {
       changed.beta);
   const SliderChange size = show_size(document, changed.alpha, widgets);
   follow(std::max(beta, size), SetColour{changed}, document);
-  if (widgets.button(
-          {"Keep colours", "Sets the gradient scale to 1. Painted colours stay painted."}))
+  if (widgets.button("Keep colours", "Sets the gradient scale to 1. Painted colours stay painted."))
     document.commit(SetColour{{changed.alpha, 1}});
 }
 
 void show_texture(Document& document, Widgets& widgets) {
   TextureFilter changed = document.texture();
-  const auto part = [&](std::string_view name, std::string_view hint, double high, double& value) {
-    return widgets.slider({name, hint, 0, high, SliderScale::kLinear, true}, value);
+  const auto part = [&](const char* name, const char* hint, double high, double& value) {
+    return widgets.slider({name, hint, 0, high, SliderScale::kLinear, 0}, value);
   };
   SliderChange change =
       part("Texture gain",
@@ -54,14 +53,14 @@ void show_texture(Document& document, Widgets& widgets) {
                                    "server bakes them anew",
                                    1, changed.level_seams));
   follow(change, SetTexture{changed}, document);
-  widgets.text({seams_text(document)});
+  widgets.text(seams_text(document).c_str());
 }
 
 }  // namespace
 
 void show_colours(Workspace& workspace, Widgets& widgets) {
   Document& document = *workspace.document();
-  if (document.colour() != ColourBy::kScan && widgets.button({"Show colours"}))
+  if (document.colour() != ColourBy::kScan && widgets.button("Show colours"))
     document.set_colour(ColourBy::kScan);
   widgets.enable(!document.is_viewer());
   show_filter(document, widgets);

@@ -9,18 +9,22 @@ namespace burnish {
 namespace {
 
 /// Returns why the server would refuse kept edges; empty if it would not.
-std::string_view bar_to_edges(const Document& document) {
-  if (document.edges().is_on()) return {};
+const char* bar_to_edges(const Document& document) {
+  if (document.edges().is_on()) return "";
   if (!document.equaliser().bands.empty())
     return "Bands have the scan's noise. Remove them to keep edges.";
   if (document.controls().keep_volume) return "The volume stays. Let it change to keep edges.";
-  return {};
+  return "";
 }
 
-std::string_view chosen_edges(const Document& document) {
-  if (!document.edges().is_on()) return kNoEdges;
-  if (const EdgePreset* const preset = preset_of(document.edges())) return preset->name;
-  return document.keeps_edges_by_noise() ? kAutoEdges : "";
+/// Before the presets, in the list of choices.
+enum { kOff, kForThisScan, kPresets };
+
+int chosen_edges(const Document& document) {
+  if (!document.edges().is_on()) return kOff;
+  if (const EdgePreset* const preset = preset_of(document.edges()))
+    return kPresets + static_cast<int>(preset - edge_presets().data());
+  return document.keeps_edges_by_noise() ? kForThisScan : -1;
 }
 
 void choose_edges(Document& document, Widgets& widgets) {
@@ -28,14 +32,17 @@ void choose_edges(Document& document, Widgets& widgets) {
       {kNoEdges, "Off"},
       {kAutoEdges, "For this scan",
        "As the scan's own noise and edges ask. The server measures them."}};
-  for (const EdgePreset& preset : edge_presets())
-    options.push_back({preset.name, preset.title, "For " + std::string(preset.scans)});
-  const std::string_view word =
-      widgets.choice({"Kept edges", options, "Own values"}, chosen_edges(document));
-  if (word == kNoEdges) document.keep_no_edges();
-  if (word == kAutoEdges) document.keep_edges_by_noise();
-  for (const EdgePreset& preset : edge_presets())
-    if (word == preset.name) document.keep_edges(preset.filter);
+  std::vector<std::string> hints;
+  hints.reserve(edge_presets().size());  // options point at them
+  for (const EdgePreset& preset : edge_presets()) {
+    hints.push_back("For " + std::string(preset.scans));
+    options.push_back({preset.name.data(), preset.title.data(), hints.back().c_str()});
+  }
+  const int taken = widgets.choice({"Kept edges", options, "Own values"}, chosen_edges(document));
+  if (taken == kOff) document.keep_no_edges();
+  if (taken == kForThisScan) document.keep_edges_by_noise();
+  if (taken >= kPresets)
+    document.keep_edges(edge_presets()[static_cast<size_t>(taken - kPresets)].filter);
 }
 
 SliderChange show_noise_size(double edge, int& passes, Widgets& widgets) {
@@ -68,12 +75,12 @@ void show_values(Document& document, Widgets& widgets) {
 
 void show_edges(Workspace& workspace, Widgets& widgets) {
   Document& document = *workspace.document();
-  const std::string_view bar = bar_to_edges(document);
-  widgets.enable(!document.is_viewer() && bar.empty());
-  widgets.text({"Noise goes, edges stay, and what is sharpened is the surface without its noise."});
-  widgets.text({bar});
+  const char* const bar = bar_to_edges(document);
+  widgets.enable(!document.is_viewer() && !*bar);
+  widgets.text("Noise goes, edges stay, and what is sharpened is the surface without its noise.");
+  widgets.text(bar);
   choose_edges(document, widgets);
-  widgets.text({noise_text(document)});
+  widgets.text(noise_text(document).c_str());
   show_values(document, widgets);
 }
 

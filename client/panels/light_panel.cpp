@@ -25,13 +25,13 @@ static_assert(std::size(kLights) == kLightKinds);
 void choose_light(Lighting& lighting, Widgets& widgets) {
   Option options[kLightKinds];
   for (int i = 0; i < kLightKinds; ++i)
-    options[i] = {name_of(static_cast<LightKind>(i)), kLights[i].label, kLights[i].hint};
-  const std::string_view word = widgets.choice({"Light", options}, name_of(lighting.kind));
-  if (!word.empty()) lighting.kind = *parse_light_kind(word);
+    options[i] = {name_of(static_cast<LightKind>(i)).data(), kLights[i].label, kLights[i].hint};
+  const int taken = widgets.choice({"Light", options}, static_cast<int>(lighting.kind));
+  if (taken >= 0) lighting.kind = static_cast<LightKind>(taken);
 }
 
-void show_strength(std::string_view name, double high, double& value, Widgets& widgets) {
-  widgets.slider({name, {}, 0, high, SliderScale::kLinear, true}, value);
+void show_strength(const char* name, double high, double& value, Widgets& widgets) {
+  widgets.slider({name, "", 0, high, SliderScale::kLinear, 0}, value);
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ void show_lighting(Lighting& lighting, Widgets& widgets) {
   }
   if (has_lamp) show_strength("Highlight", 1, lighting.specular, widgets);
   show_strength("Occlusion", 1, lighting.occlusion, widgets);
-  if (widgets.button({"As at first"})) lighting = {};
+  if (widgets.button("As at first")) lighting = {};
 }
 
 void show_light(Workspace& workspace, Widgets& widgets) {

@@ -15,44 +15,44 @@ constexpr Option kColours[] = {{"clay", "Clay"},
 
 void choose_colour(Document& document, Widgets& widgets) {
   const std::span options(kColours, std::size(kColours) - (document.has_colours() ? 0 : 1));
-  const auto chosen = static_cast<size_t>(document.colour());
-  const std::string_view word = widgets.choice({"Colour", options}, kColours[chosen].word);
-  for (size_t i = 0; i < options.size(); ++i)
-    if (word == options[i].word) document.set_colour(static_cast<ColourBy>(i));
+  const int taken = widgets.choice({"Colour", options}, static_cast<int>(document.colour()));
+  if (taken >= 0) document.set_colour(static_cast<ColourBy>(taken));
 }
 
 void show_toggles(Viewport& viewport, Widgets& widgets) {
   ViewOptions& options = viewport.options;
   widgets.begin_row(2);
-  widgets.check({"Flat", "Gives each triangle one shade."}, options.flat);
-  widgets.check({"Wireframe"}, options.wireframe);
+  widgets.check("Flat", "Gives each triangle one shade.", options.flat);
+  widgets.check("Wireframe", "", options.wireframe);
   widgets.end_row();
   widgets.begin_row(2);
-  widgets.check({"Split",
-                 "Shows the original on the left, the edited surface on the right. Hold Space to "
-                 "see the original everywhere."},
+  widgets.check("Split",
+                "Shows the original on the left, the edited surface on the right. Hold Space to "
+                "see the original everywhere.",
                 options.split);
-  widgets.check({"Original", "Shows the surface before all edits."}, viewport.hold_original);
+  widgets.check("Original", "Shows the surface before all edits.", viewport.hold_original);
   widgets.end_row();
   if (options.split)
     widgets.slider({.name = "Place of the split",
+                    .hint = "",
                     .low = 0.05,
                     .high = 0.95,
-                    .has_two_decimals = true,
+                    .digits = 0,
                     .has_title = false},
                    options.split_at);
 }
 
 void show_bookmarks(Viewport& viewport, Widgets& widgets) {
   widgets.begin_row(2);
-  if (widgets.button({"Frame all"})) viewport.go_home();
-  if (widgets.button({"Bookmark"})) viewport.add_bookmark();
+  if (widgets.button("Frame all")) viewport.go_home();
+  if (widgets.button("Bookmark")) viewport.add_bookmark();
   widgets.end_row();
   constexpr size_t kInRow = 6;
   for (size_t i = 0; i < viewport.bookmarks.size(); ++i) {
     if (i % kInRow == 0) widgets.begin_row(kInRow);
     const std::string label = std::to_string(i + 1);
-    if (widgets.button({.name = "Bookmark " + label, .label = label}))
+    const std::string name = "Bookmark " + label;
+    if (widgets.button(name.c_str(), "", Pressed::kIsNoSwitch, label.c_str()))
       viewport.camera = viewport.bookmarks[i];
     if (i % kInRow == kInRow - 1 || i + 1 == viewport.bookmarks.size()) widgets.end_row();
   }
@@ -66,6 +66,7 @@ void show_view(Workspace& workspace, Widgets& widgets) {
   choose_colour(document, widgets);
   if (document.colour() == ColourBy::kDisplacement)
     widgets.slider({.name = "Displacement",
+                    .hint = "",
                     .low = 0.05,
                     .high = 20,
                     .scale = SliderScale::kLogarithmic,
@@ -73,34 +74,35 @@ void show_view(Workspace& workspace, Widgets& widgets) {
                    viewport.options.displacement_range);
   show_toggles(viewport, widgets);
   show_bookmarks(viewport, widgets);
-  if (widgets.check({"Left button turns the view"}, viewport.navigate_mode))
+  if (widgets.check("Left button turns the view", "", viewport.navigate_mode))
     viewport.measure_mode = false;
-  widgets.text({status_text(document.surface().status())});
-  widgets.text({"depth " + std::to_string(document.depth())});
+  widgets.text(status_text(document.surface().status()).c_str());
+  widgets.text(("depth " + std::to_string(document.depth())).c_str());
 }
 
 void show_camera(Workspace& workspace, Widgets& widgets) {
   Viewport& viewport = workspace.viewport;
   Option ups[kUpAxes];
-  for (int i = 0; i < kUpAxes; ++i) ups[i].word = ups[i].label = name_of(static_cast<UpAxis>(i));
-  const std::string_view up =
+  for (int i = 0; i < kUpAxes; ++i)
+    ups[i].word = ups[i].label = name_of(static_cast<UpAxis>(i)).data();
+  const int up =
       widgets.choice({.name = "Up",
                       .options = ups,
                       .hint = "The scan's axis that points up. It is kept with the session.",
                       .is_labelled = true},
-                     name_of(viewport.camera.up));
-  if (!up.empty()) viewport.set_up(*parse_up_axis(up));
-  static constexpr std::string_view kViews[] = {"Front", "Back", "Right",
-                                                "Left",  "Top",  "Bottom"};  // as StandardView
+                     static_cast<int>(viewport.camera.up));
+  if (up >= 0) viewport.set_up(static_cast<UpAxis>(up));
+  static constexpr const char* kViews[] = {"Front", "Back", "Right",
+                                           "Left",  "Top",  "Bottom"};  // as StandardView
   constexpr int kInRow = 3;
   for (int i = 0; i < kStandardViews; ++i) {
     if (i % kInRow == 0) widgets.begin_row(kInRow);
-    if (widgets.button({kViews[i]})) viewport.show_from(static_cast<StandardView>(i));
+    if (widgets.button(kViews[i])) viewport.show_from(static_cast<StandardView>(i));
     if (i % kInRow == kInRow - 1) widgets.end_row();
   }
-  widgets.check(
-      {"Orthographic", "Draws without perspective: equal lengths are equal in the picture."},
-      viewport.camera.orthographic);
+  widgets.check("Orthographic",
+                "Draws without perspective: equal lengths are equal in the picture.",
+                viewport.camera.orthographic);
 }
 
 }  // namespace burnish

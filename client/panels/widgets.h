@@ -1,9 +1,8 @@
 #pragma once
 
-#include <optional>
+#include <cstdint>
 #include <span>
 #include <string>
-#include <string_view>
 
 #include "client/scene/lighting.h"
 
@@ -16,57 +15,39 @@ enum class SliderChange {
 };
 
 /// How a slider's places become values.
-enum class SliderScale {
+enum class SliderScale : uint8_t {
   kLinear,
   kLogarithmic,
   kBeta,  ///< the left half smooths, the right half sharpens, up to kBetaMax; blue and red
 };
 
+// Texts last as long as the call.
+
 struct Slider {
-  std::string_view name;  ///< as every widget's, unique in its panel
-  std::string_view hint;
+  const char* name;  ///< as every widget's, unique in its panel
+  const char* hint;
   double low, high;
   SliderScale scale = SliderScale::kLinear;
-  bool has_two_decimals = false;  ///< else three digits
+  uint8_t digits = 3;  ///< of the number; 0: two decimals
   bool has_title = true;
-  std::string_view note = {};  ///< behind the title
+  const char* note = "";  ///< behind the title
 };
 
-struct Button {
-  std::string_view name;
-  std::string_view hint = {};
-  std::string_view label = {};  ///< empty: the name
-  std::optional<bool> is_pressed = {};
-};
-
-struct Check {
-  std::string_view name;
-  std::string_view hint = {};
-};
-
-/// Text that is less important. Empty: nothing.
-struct Text {
-  std::string_view text;
-  std::string_view hint = {};
-  bool is_announced = false;  ///< to readers of the screen, when it changes
-};
+enum class Pressed { kIsNoSwitch, kNo, kYes };
 
 struct Option {
-  std::string_view word;
-  std::string_view label;
-  std::string hint = {};
+  const char* word;
+  const char* label;
+  const char* hint = "";
 };
 
 struct Choice {
-  std::string_view name;
+  const char* name;
   std::span<const Option> options;
-  std::string_view otherwise = {};  ///< the label while none of them is chosen
-  std::string_view hint = {};       ///< empty: that of the chosen option
-  bool is_labelled = false;         ///< the name stands before it
+  const char* otherwise = "";  ///< the label while none of them is chosen
+  const char* hint = "";       ///< empty: that of the chosen option
+  bool is_labelled = false;    ///< the name stands before it
 };
-
-/// Returns the option with this word; null if there is none.
-const Option* find_option(const Choice& choice, std::string_view word);
 
 /// Takes the widgets of a panel, from above, and says what the user does with them. The window
 /// draws them, the page's core writes them, and a line of the page is done by one of them.
@@ -79,14 +60,16 @@ class Widgets {
   /// Lets the widgets up to end_row() stand beside each other, each as wide.
   virtual void begin_row(int columns) = 0;
   virtual void end_row() = 0;
-  virtual void text(const Text& text) = 0;
+  /// Shows text that is less important; empty: nothing. `is_announced`: to readers of the screen.
+  virtual void text(const char* text, const char* hint = "", bool is_announced = false) = 0;
   virtual SliderChange slider(const Slider& slider, double& value) = 0;
-  /// Returns whether it is pressed.
-  virtual bool button(const Button& button) = 0;
-  /// Returns whether it is switched.
-  virtual bool check(const Check& check, bool& on) = 0;
-  /// Returns the word that the user chooses; mostly empty.
-  virtual std::string_view choice(const Choice& choice, std::string_view chosen) = 0;
+  /// Returns whether the user presses it. An empty label is the name.
+  virtual bool button(const char* name, const char* hint = "",
+                      Pressed pressed = Pressed::kIsNoSwitch, const char* label = "") = 0;
+  /// Returns whether the user switches it.
+  virtual bool check(const char* name, const char* hint, bool& on) = 0;
+  /// Takes and returns the number of an option; -1: none. Mostly the user chooses none.
+  virtual int choice(const Choice& choice, int chosen) = 0;
   /// Shows a ball on which the lamp is dragged: the middle is the eye, the rim the picture's plane.
   virtual void lamp(Lighting& lighting) = 0;
 };

@@ -129,6 +129,76 @@ TEST_F(FrontPanels, ColoursAreFilteredAndKept) {
   EXPECT_EQ(front_.workspace().document()->texture().remove_light, 0.75);
 }
 
+TEST_F(FrontPanels, ABrushPaintsItsBetaAgainAfterKeptEdges) {
+  ASSERT_TRUE(open());
+  const Brush& brush = front_.workspace().document()->brush().brush;
+  line("panel commit press Brush/Sharpen");
+  EXPECT_EQ(brush.beta, 2);
+  line("panel commit edges Brush/Paints");
+  EXPECT_TRUE(brush.edges && brush.beta == 1);
+  ASSERT_TRUE(until([this] { return widget("Brush", "Denoise here")["pressed"] == true; }));
+  line("panel commit press Brush/Keep here");
+  EXPECT_EQ(brush.beta, 0);
+  line("panel commit 0.5 Brush/Painted strength");
+  line("panel commit beta Brush/Paints");
+  EXPECT_TRUE(!brush.edges && brush.beta == 2);
+  EXPECT_TRUE(answers_.empty());
+}
+
+TEST_F(FrontPanels, ABrushForgetsABandThatIsGone) {
+  ASSERT_TRUE(open());
+  line("bands 1:2");
+  ASSERT_TRUE(has_edits(1));
+  line("panel commit band:1 Brush/Paints");
+  ASSERT_TRUE(until([this] { return widget("Brush", "Paints")["value"] == "band:1"; }));
+  line("undo");
+  ASSERT_TRUE(until([this] { return widget("Brush", "Paints")["value"] == "beta"; }));
+  EXPECT_EQ(front_.workspace().document()->brush().brush.band, 0);
+}
+
+TEST_F(FrontPanels, AMirrorIsAPlaneThroughTheMiddleAtFirst) {
+  ASSERT_TRUE(open());
+  const Document& document = *front_.workspace().document();
+  line("panel commit y Brush/Mirror");
+  ASSERT_TRUE(document.mirror);
+  EXPECT_EQ(document.mirror->at, document.box().center().y());
+  line("panel preview 0.25 Brush/Mirror plane");
+  EXPECT_EQ(document.mirror->at, 0.25);
+  line("panel commit off Brush/Mirror");
+  EXPECT_FALSE(document.mirror);
+}
+
+TEST_F(FrontPanels, AnOpenScanSaysHowManyRimsStayAsSoonAsTheyDo) {
+  const auto sheet = server_.folder / "sheet.ply";
+  ASSERT_TRUE(write_mesh(make_sheet(20, 4, 0.1), sheet).is_ok());
+  ASSERT_TRUE(owner_.import_scan(sheet, "sheet", {5, 0}, {}).is_ok());
+  const auto opened = owner_.open_session({"sheet", "free", {5, 0}});
+  ASSERT_TRUE(opened.is_ok()) << opened.status().to_string();
+  const Edit let_go{"let-go", SetControls{{.pin_rims = false}}};
+  ASSERT_TRUE(owner_.apply("free", {&let_go, 1}).is_ok());
+  ASSERT_TRUE(start());
+  line("session join " + opened->session.id);
+  ASSERT_TRUE(until([this] { return is_settled(); }));
+  EXPECT_TRUE(widget("Limits", "rims: ").is_null());
+  EXPECT_TRUE(widget("Limits", "Walls: ").is_null()) << "a sheet has none";
+  line("panel commit on Limits/Rims stay");
+  EXPECT_TRUE(until([this] { return !widget("Limits", "rims: 1 of 1 stay").is_null(); }));
+  line("panel commit off Limits/Rims stay");
+  EXPECT_TRUE(until([this] { return widget("Limits", "rims: ").is_null(); }));
+}
+
+TEST_F(FrontPanels, AnOpenScanSaysHowMuchOfItIsOnThinWalls) {
+  const auto sheets = server_.folder / "sheets.ply";
+  ASSERT_TRUE(write_mesh(generate_scan({"sheets", 2000, 1}).value(), sheets).is_ok());
+  ASSERT_TRUE(owner_.import_scan(sheets, "sheets", {5, 0}, {}).is_ok());
+  const auto opened = owner_.open_session({"sheets", "thin", {5, 0}});
+  ASSERT_TRUE(opened.is_ok()) << opened.status().to_string();
+  ASSERT_TRUE(start());
+  line("session join " + opened->session.id);
+  ASSERT_TRUE(until([this] { return is_settled(); }));
+  EXPECT_FALSE(widget("Limits", "Walls: 100 % of the surface is thinner than a cell").is_null());
+}
+
 TEST_F(FrontPanels, LimitsAreSetAndTheirCapIsOffAtTheRight) {
   ASSERT_TRUE(open());
   EXPECT_TRUE(is_disabled("Limits", "Rims stay"));  // a sphere has none

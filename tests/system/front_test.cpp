@@ -1,5 +1,3 @@
-#include "common/generate/generate.h"
-#include "common/mesh/io/mesh_io.h"
 #include "tests/system/front_service.h"
 
 namespace burnish {
@@ -18,25 +16,6 @@ TEST_F(FrontService, TheStartShowsTheServersScansAndSessions) {
   EXPECT_EQ(library["sessions"][0]["scan"], library["scans"][0]["id"]);
   EXPECT_GT(snapshot_["presets"].size(), 3u);
   EXPECT_TRUE(document().is_null());
-}
-
-TEST_F(FrontService, AnOpenScanSaysHowManyRimsStayAsSoonAsTheyDo) {
-  const auto sheet = server_.folder / "sheet.ply";
-  ASSERT_TRUE(write_mesh(make_sheet(20, 4, 0.1), sheet).is_ok());
-  ASSERT_TRUE(owner_.import_scan(sheet, "sheet", {5, 0}, {}).is_ok());
-  const auto opened = owner_.open_session({"sheet", "free", {5, 0}});
-  ASSERT_TRUE(opened.is_ok()) << opened.status().to_string();
-  const Edit let_go{"let-go", SetControls{{.pin_rims = false}}};
-  ASSERT_TRUE(owner_.apply("free", {&let_go, 1}).is_ok());
-  ASSERT_TRUE(start());
-  line("session join " + opened->session.id);
-  ASSERT_TRUE(until([this] { return is_settled(); }));
-  EXPECT_EQ(document()["rims"], "");
-  EXPECT_EQ(document()["walls"], "") << "a sheet has none";
-  line("controls on 0 off");
-  EXPECT_TRUE(until([this] { return document()["rims"] == "rims: 1 of 1 stay"; }));
-  line("controls off 0 off");
-  EXPECT_TRUE(until([this] { return document()["rims"] == ""; }));
 }
 
 TEST_F(FrontService, ThePresetBoxSaysWhatTheSessionHas) {
@@ -70,19 +49,6 @@ TEST_F(FrontService, ThePresetBoxSaysWhatTheSessionHas) {
   EXPECT_TRUE(is_shown("Sharpen gently", 0.5));
   line("curve 0:33");
   EXPECT_TRUE(is_empty());
-}
-
-TEST_F(FrontService, AnOpenScanSaysHowMuchOfItIsOnThinWalls) {
-  const auto sheets = server_.folder / "sheets.ply";
-  ASSERT_TRUE(write_mesh(generate_scan({"sheets", 2000, 1}).value(), sheets).is_ok());
-  ASSERT_TRUE(owner_.import_scan(sheets, "sheets", {5, 0}, {}).is_ok());
-  const auto opened = owner_.open_session({"sheets", "thin", {5, 0}});
-  ASSERT_TRUE(opened.is_ok()) << opened.status().to_string();
-  ASSERT_TRUE(start());
-  line("session join " + opened->session.id);
-  ASSERT_TRUE(until([this] { return is_settled(); }));
-  EXPECT_THAT(document()["walls"].get<std::string>(),
-              testing::StartsWith("Walls: 100 % of the surface is thinner than a cell"));
 }
 
 TEST_F(FrontService, AChangeSoonAfterASnapshotIsToldInTime) {
@@ -223,7 +189,6 @@ TEST_F(FrontService, EveryFrontCommandOfThePageIsKnown) {
                            "tool look",
                            "tool paint",
                            "ruler clear",
-                           "pen off",
                            "unit mm",
                            "split_at 0.3",
                            "lamp 0.2 0.4",

@@ -49,12 +49,6 @@ class PalettePanel : public Panel {
   std::string name_;  // of the next curve
 };
 
-/// The airbrush.
-class BrushPanel : public Panel {
- public:
-  void draw(Workspace& workspace) override;
-};
-
 /// The session's edits, newest first. Each can be switched off.
 class HistoryPanel : public Panel {
  public:

@@ -50,59 +50,57 @@ class DrawnWidgets : public Widgets {
   }
   void end_row() override { begin_row(1); }
 
-  void text(const Text& text) override {
-    if (text.text.empty()) return;
-    faint_text("%.*s", static_cast<int>(text.text.size()), text.text.data());
-    hint(text.hint);
+  void text(const char* text, const char* hint, bool) override {
+    if (!*text) return;
+    faint_text("%s", text);
+    show_hint(hint);
   }
 
   SliderChange slider(const Slider& slider, double& value) override {
-    const std::string name(slider.name);
     if (slider.has_title) draw_title(slider);
-    const char* const format = slider.has_two_decimals ? "%.2f" : "%.3g";
-    const ValueField field{{name, slider.low, slider.high}, format, log_};
+    const std::string format =
+        slider.digits == 0 ? "%.2f" : "%." + std::to_string(slider.digits) + "g";
+    const ValueField field{{slider.name, slider.low, slider.high}, format.c_str(), log_};
     if (slider.scale == SliderScale::kLinear) return linear_slider(field, value);
     if (slider.scale == SliderScale::kLogarithmic) return log_slider(field, value);
-    return beta_slider(name, value, to_imgui(blue_to_red(signed_part_of_beta(value))), log_);
+    return beta_slider(slider.name, value, to_imgui(blue_to_red(signed_part_of_beta(value))), log_);
   }
 
-  bool button(const Button& button) override {
+  bool button(const char* name, const char* hint, Pressed pressed, const char* label) override {
     const float width = take_column();
-    const std::string label(button.label.empty() ? button.name : button.label);
-    const bool is_pressed = button.is_pressed.value_or(false);
+    const bool is_pressed = pressed == Pressed::kYes;
     if (is_pressed)
       ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
-    const bool is_taken = ImGui::Button(label.c_str(), {width, 0});
+    const bool is_taken = ImGui::Button(*label ? label : name, {width, 0});
     if (is_pressed) ImGui::PopStyleColor();
-    note_place(std::string(button.name));
-    hint(button.hint);
+    note_place(name);
+    show_hint(hint);
     return is_taken;
   }
 
-  bool check(const Check& check, bool& on) override {
+  bool check(const char* name, const char* hint, bool& on) override {
     take_column();
-    const std::string name(check.name);
-    const bool is_changed = noted(name, ImGui::Checkbox(name.c_str(), &on));
-    hint(check.hint);
+    const bool is_changed = noted(name, ImGui::Checkbox(name, &on));
+    show_hint(hint);
     return is_changed;
   }
 
-  std::string_view choice(const Choice& choice, std::string_view chosen) override {
-    const Option* const shown = find_option(choice, chosen);
-    const std::string name(choice.name), title(shown ? shown->label : choice.otherwise);
-    const std::string_view what = choice.hint.empty() && shown ? shown->hint : choice.hint;
-    if (choice.is_labelled) draw_label(name, what);
+  int choice(const Choice& choice, int chosen) override {
+    const Option* const shown = chosen < 0 ? nullptr : &choice.options[static_cast<size_t>(chosen)];
+    const char* const hint = *choice.hint || !shown ? choice.hint : shown->hint;
+    if (choice.is_labelled) draw_label(choice.name, hint);
     ImGui::SetNextItemWidth(-1);
-    if (!noted(name, ImGui::BeginCombo(("##" + name).c_str(), title.c_str(),
-                                       ImGuiComboFlags_HeightLarge))) {
-      hint(what);
-      return {};
+    const std::string id = "##" + std::string(choice.name);
+    if (!noted(choice.name, ImGui::BeginCombo(id.c_str(), shown ? shown->label : choice.otherwise,
+                                              ImGuiComboFlags_HeightLarge))) {
+      show_hint(hint);
+      return -1;
     }
-    std::string_view taken;
+    int taken = -1;
     for (const Option& option : choice.options) {
-      const std::string label(option.label);
-      if (noted(label, ImGui::Selectable(label.c_str(), &option == shown))) taken = option.word;
-      hint(option.hint);
+      if (noted(option.label, ImGui::Selectable(option.label, &option == shown)))
+        taken = static_cast<int>(&option - choice.options.data());
+      show_hint(option.hint);
     }
     ImGui::EndCombo();
     return taken;
@@ -111,23 +109,23 @@ class DrawnWidgets : public Widgets {
   void lamp(Lighting& lighting) override { draw_ball(lighting); }
 
  private:
-  static void hint(std::string_view text) {
-    if (!text.empty()) burnish::hint(std::string(text).c_str());
+  static void show_hint(const char* text) {
+    if (*text) hint(text);
   }
 
   static void draw_title(const Slider& slider) {
-    ImGui::TextUnformatted(slider.name.data(), slider.name.data() + slider.name.size());
-    hint(slider.hint);
-    if (slider.note.empty()) return;
+    ImGui::TextUnformatted(slider.name);
+    show_hint(slider.hint);
+    if (!*slider.note) return;
     ImGui::SameLine();
-    faint_text("%.*s", static_cast<int>(slider.note.size()), slider.note.data());
-    hint(slider.hint);
+    faint_text("%s", slider.note);
+    show_hint(slider.hint);
   }
 
-  static void draw_label(const std::string& name, std::string_view what) {
+  static void draw_label(const char* name, const char* hint) {
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(name.c_str());
-    hint(what);
+    ImGui::TextUnformatted(name);
+    show_hint(hint);
     ImGui::SameLine(em(6));
   }
 

@@ -13,7 +13,7 @@ namespace {
 /// Has the user do one thing with one widget.
 class UsedWidgets : public Widgets {
  public:
-  UsedWidgets(std::string_view name, const std::string& value, bool is_done)
+  UsedWidgets(const char* name, const std::string& value, bool is_done)
       : name_(name), value_(value), is_done_(is_done) {}
 
   /// Fails: not_found without a widget of this name that can be used; invalid_argument.
@@ -22,7 +22,7 @@ class UsedWidgets : public Widgets {
   void enable(bool on) override { is_enabled_ = on; }
   void begin_row(int) override {}
   void end_row() override {}
-  void text(const Text&) override {}
+  void text(const char*, const char*, bool) override {}
 
   SliderChange slider(const Slider& slider, double& value) override {
     if (!is_meant(slider.name)) return SliderChange::kStill;
@@ -33,26 +33,31 @@ class UsedWidgets : public Widgets {
     return is_done_ ? SliderChange::kDone : SliderChange::kMoving;
   }
 
-  bool button(const Button& button) override {
-    if (!is_meant(button.name)) return false;
+  bool button(const char* name, const char*, Pressed, const char*) override {
+    if (!is_meant(name)) return false;
     status_ = Status::ok();
     return true;
   }
 
-  bool check(const Check& check, bool& on) override {
-    if (!is_meant(check.name)) return false;
+  bool check(const char* name, const char*, bool& on) override {
+    if (!is_meant(name)) return false;
     const auto wanted = parse_switch(value_);
     status_ = wanted.status();
     if (wanted.is_ok()) on = *wanted;
     return wanted.is_ok();
   }
 
-  std::string_view choice(const Choice& choice, std::string_view) override {
-    if (!is_meant(choice.name)) return {};
-    const Option* const option = find_option(choice, value_);
-    status_ = option ? Status::ok() : invalid_argument("'" + value_ + "' cannot be chosen");
-    return option ? option->word : std::string_view();
+  int choice(const Choice& choice, int) override {
+    if (!is_meant(choice.name)) return -1;
+    const auto taken = std::ranges::find(choice.options, value_, &Option::word);
+    if (taken == choice.options.end()) {
+      status_ = invalid_argument("'" + value_ + "' cannot be chosen");
+      return -1;
+    }
+    status_ = Status::ok();
+    return static_cast<int>(taken - choice.options.begin());
   }
+
   void lamp(Lighting&) override {}  // it has lines of its own
 
  private:
@@ -74,8 +79,7 @@ std::optional<Status> do_panel_line(const FrontWords& line, Workspace& workspace
   const std::string_view name = std::string_view(place).substr(0, place.find('/'));
   for (const SharedPanel& panel : kSharedPanels) {
     if (panel.name != name || name.size() == place.size()) continue;
-    UsedWidgets widgets(std::string_view(place).substr(name.size() + 1), line.words[1],
-                        line.words[0] == "commit");
+    UsedWidgets widgets(place.c_str() + name.size() + 1, line.words[1], line.words[0] == "commit");
     panel.show(workspace, widgets);
     return widgets.status();
   }

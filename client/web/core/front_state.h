@@ -8,7 +8,6 @@
 #include <string>
 
 #include "client/model/tasks/activity.h"
-#include "common/base/types.h"
 
 namespace burnish {
 

@@ -96,12 +96,6 @@ Status keep_preset(const FrontWords& line, const Document& document) {
                          own_preset(line.rest(), document.filter(), document.lengths()));
 }
 
-Status set_pen(const FrontWords& line, Workspace& workspace) {
-  RETURN_IF_ERROR(need_words(line, 1));
-  ASSIGN_OR_RETURN(workspace.preferences.pen_pressure, parse_switch(line.words[0]));
-  return Status::ok();
-}
-
 }  // namespace
 
 std::optional<Status> do_tool_line(const FrontWords& line, FrontParts& parts) {
@@ -115,7 +109,6 @@ std::optional<Status> do_tool_line(const FrontWords& line, FrontParts& parts) {
   if (command == "depth") return open_at(line, workspace);
   if (command == "preset_keep") return keep_preset(line, document);
   if (command == "preset_delete") return delete_own_preset(own_presets_path(), line.rest());
-  if (command == "pen") return set_pen(line, workspace);
   if (command == "ruler") {
     document.measuring().ruler.clear();
   } else if (command == "unit") {

@@ -25,11 +25,19 @@ JsonWriter& JsonWriter::end(char bracket) {
   return *this;
 }
 
-JsonWriter& JsonWriter::key(std::string_view name) {
+JsonWriter& JsonWriter::key(const char* name) {
   text(name);
   written_ += ':';
   needs_comma_ = false;
   return *this;
+}
+
+JsonWriter& JsonWriter::text(const char* name, const std::string& value) {
+  return key(name).text(value);
+}
+
+JsonWriter& JsonWriter::text(const char* name, const char* value) {
+  return key(name).text(value);
 }
 
 JsonWriter& JsonWriter::text(std::string_view value) {

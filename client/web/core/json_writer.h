@@ -14,7 +14,7 @@ class JsonWriter {
   JsonWriter& close() { return end('}'); }
   JsonWriter& open_list() { return begin('['); }
   JsonWriter& close_list() { return end(']'); }
-  JsonWriter& key(std::string_view name);
+  JsonWriter& key(const char* name);
 
   JsonWriter& text(std::string_view value);
   /// Writes nine digits. A number that JSON does not have becomes 0.
@@ -24,10 +24,13 @@ class JsonWriter {
   JsonWriter& null();
 
   // Members of an object.
-  JsonWriter& text(std::string_view name, std::string_view value) { return key(name).text(value); }
-  JsonWriter& number(std::string_view name, double value) { return key(name).number(value); }
-  JsonWriter& whole(std::string_view name, int64_t value) { return key(name).whole(value); }
-  JsonWriter& flag(std::string_view name, bool value) { return key(name).flag(value); }
+  // Overloads, for each call with a view has its length too: wasm would be larger.
+  JsonWriter& text(const char* name, std::string_view value) { return key(name).text(value); }
+  JsonWriter& text(const char* name, const std::string& value);
+  JsonWriter& text(const char* name, const char* value);
+  JsonWriter& number(const char* name, double value) { return key(name).number(value); }
+  JsonWriter& whole(const char* name, int64_t value) { return key(name).whole(value); }
+  JsonWriter& flag(const char* name, bool value) { return key(name).flag(value); }
 
   const std::string& written() const { return written_; }
 

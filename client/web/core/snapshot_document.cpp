@@ -16,7 +16,7 @@ int64_t whole_of(uint64_t value) {
   return static_cast<int64_t>(std::min<uint64_t>(value, kWholeMax));
 }
 
-void write_point(std::string_view name, const Vec3d& point, JsonWriter& json) {
+void write_point(const char* name, const Vec3d& point, JsonWriter& json) {
   json.key(name).open_list().number(point.x()).number(point.y()).number(point.z()).close_list();
 }
 

@@ -18,10 +18,10 @@ class WrittenWidgets : public Widgets {
   }
   void end_row() override { json_.close_list().close(); }
 
-  void text(const Text& text) override {
-    if (text.text.empty()) return;
-    begin("text", text.text, text.hint);
-    mark("announced", text.is_announced);
+  void text(const char* text, const char* hint, bool is_announced) override {
+    if (!*text) return;
+    begin("text", text, hint);
+    mark("announced", is_announced);
     json_.close();
   }
 
@@ -30,58 +30,61 @@ class WrittenWidgets : public Widgets {
     begin("slider", slider.name, slider.hint);
     json_.number("value", value).number("low", slider.low).number("high", slider.high);
     json_.text("scale", kScales[static_cast<int>(slider.scale)]);
-    mark("twoDecimals", slider.has_two_decimals);
+    json_.whole("digits", slider.digits);
     mark("untitled", !slider.has_title);
     say("note", slider.note);
     json_.close();
     return SliderChange::kStill;
   }
 
-  bool button(const Button& button) override {
-    begin("button", button.name, button.hint);
-    say("label", button.label);
-    if (button.is_pressed) json_.flag("pressed", *button.is_pressed);
+  bool button(const char* name, const char* hint, Pressed pressed, const char* label) override {
+    begin("button", name, hint);
+    say("label", label);
+    if (pressed != Pressed::kIsNoSwitch) json_.flag("pressed", pressed == Pressed::kYes);
     json_.close();
     return false;
   }
 
-  bool check(const Check& check, bool& on) override {
-    begin("check", check.name, check.hint);
+  bool check(const char* name, const char* hint, bool& on) override {
+    begin("check", name, hint);
     json_.flag("on", on).close();
     return false;
   }
 
-  std::string_view choice(const Choice& choice, std::string_view chosen) override {
-    const Option* const shown = find_option(choice, chosen);
-    begin("choice", choice.name, choice.hint.empty() && shown ? shown->hint : choice.hint);
+  int choice(const Choice& choice, int chosen) override {
+    const Option other{"", choice.otherwise};
+    const Option& shown = chosen < 0 ? other : choice.options[static_cast<size_t>(chosen)];
+    begin("choice", choice.name, *choice.hint ? choice.hint : shown.hint);
     mark("labelled", choice.is_labelled);
-    json_.text("value", chosen).key("choices").open_list();
-    for (const Option& option : choice.options)
-      json_.open_list().text(option.word).text(option.label).close_list();
-    if (!shown) json_.open_list().text(chosen).text(choice.otherwise).close_list();
+    json_.text("value", shown.word).key("choices").open_list();
+    for (const Option& option : choice.options) write(option);
+    if (chosen < 0) write(other);
     json_.close_list().close();
-    return {};
+    return -1;
   }
 
   void lamp(Lighting& lighting) override {
     const Eigen::Vector2d lamp = lamp_on_ball(lighting);
-    begin("lamp", "Lamp", {});
+    begin("lamp", "Lamp", "");
     json_.number("azimuth", lighting.azimuth_degrees);
     json_.number("elevation", lighting.elevation_degrees);
     json_.number("ballX", lamp.x()).number("ballY", lamp.y()).close();
   }
 
  private:
-  void begin(std::string_view kind, std::string_view name, std::string_view hint) {
+  void begin(const char* kind, const char* name, const char* hint) {
     json_.open().text("kind", kind).text("name", name);
     say("hint", hint);
     mark("disabled", !is_enabled_);
   }
-  void mark(std::string_view name, bool is) {
+  void mark(const char* name, bool is) {
     if (is) json_.flag(name, true);
   }
-  void say(std::string_view name, std::string_view text) {
-    if (!text.empty()) json_.text(name, text);
+  void say(const char* name, const char* text) {
+    if (*text) json_.text(name, text);
+  }
+  void write(const Option& option) {
+    json_.open_list().text(option.word).text(option.label).close_list();
   }
 
   JsonWriter& json_;

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "client/model/documents/figures.h"
 #include "client/tools/band_choice.h"
 #include "client/web/core/snapshot.h"
 #include "common/base/ratio.h"
@@ -82,15 +81,6 @@ void write_pointer(const Workspace& workspace, JsonWriter& json) {
   json.text("tool", viewport.measure_mode ? "measure" : viewport.navigate_mode ? "look" : "paint");
   const auto& wish = viewport.lasso_wish;
   json.text("lasso", !wish ? "off" : wish->release ? "release" : "protect");
-  json.key("mirror");
-  if (const auto& mirror = workspace.document()->mirror) {
-    static constexpr const char* kAxes[] = {"x", "y", "z"};
-    json.open().text("axis", kAxes[mirror->axis]).number("at", mirror->at).close();
-  } else {
-    json.null();
-  }
-  json.flag("hasPen", workspace.has_pen);
-  json.flag("penPressure", workspace.preferences.pen_pressure);
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ void write_scale(const Workspace& workspace, JsonWriter& json) {
   json.text("high", scale->high).number("part", scale->part).text("value", scale->value).close();
 }
 
-void write_figures(std::string_view name, const std::vector<Figure>& figures, JsonWriter& json) {
+void write_figures(const char* name, const std::vector<Figure>& figures, JsonWriter& json) {
   json.key(name).open_list();
   for (const Figure& figure : figures)
     json.open().text("name", figure.name).text("value", figure.value).close();

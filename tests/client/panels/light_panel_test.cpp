@@ -27,11 +27,11 @@ TEST(LightPanel, EachKindHasTheStrengthsThatItKnows) {
               ElementsAre("bronze", "Light", "Occlusion", "As at first"));
 }
 
-TEST(LightPanel, AKindIsChosenByItsWord) {
+TEST(LightPanel, AKindIsChosen) {
   Lighting lighting;
   User user;
   user.used = "Light";
-  user.word = "raking";
+  user.option = static_cast<int>(LightKind::kRaking);
   show_lighting(lighting, user);
   EXPECT_EQ(lighting, (Lighting{.kind = LightKind::kRaking}));
 }

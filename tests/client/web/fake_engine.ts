@@ -50,8 +50,6 @@ function obey(line: string): void {
   if (words[0] === "wireframe" && now.document)
     changeDocument({ view: { ...now.document.view, wireframe: words[1] === "on" } });
   if (words[0] === "panel") usePanel(words[2]!, words.slice(3).join(" "));
-  if (words[0] === "mirror")
-    changeDocument({ mirror: words[1] === "off" ? null : { axis: words[1], at: Number(words[2] ?? 0) } });
   if (line === "record start" || line === "record stop") change({ recording: line === "record start" });
 }
 

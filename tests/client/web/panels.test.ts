@@ -194,73 +194,27 @@ test("CurveIsDraggedByMouseAndByKeys", () =>
     await visit.sent("plot remove 1");
   }));
 
-test("BrushOfKeptEdgesDenoisesOrKeeps", () =>
-  bench.visitSession(async (visit) => {
-    await visit.document({ brush: { radius: 4, strength: 0.5, beta: 1, fallOff: "smooth", paints: "edges", through: false } });
-    const panel = visit.page.getByRole("region", { name: "Brush" });
-    await panel.getByRole("button", { name: "Keep here" }).click();
-    await visit.sent("brush 4 0.5 0 smooth edges");
-    await panel.getByRole("textbox", { name: "Painted strength as a number" }).fill("0.5");
-    await visit.page.keyboard.press("Enter");
-    await visit.sent("brush 4 0.5 0.5 smooth edges");
-  }));
-
-test("BrushPaintsItsBetaAgainAfterKeptEdges", () =>
-  bench.visitSession(async (visit) => {
-    const brush = { radius: 4, strength: 0.5, beta: 2, fallOff: "smooth", paints: "beta", through: false };
-    await visit.document({ brush });
-    const panel = visit.page.getByRole("region", { name: "Brush" });
-    await panel.getByRole("button", { name: "Sharpen", pressed: true }).waitFor();
-    await panel.getByRole("combobox", { name: "Paints" }).selectOption("Strength of kept edges");
-    await visit.sent("brush 4 0.5 1 smooth edges");
-    await visit.document({ brush: { ...brush, beta: 1, paints: "edges" } });
-    await panel.getByRole("button", { name: "Denoise here", pressed: true }).waitFor();
-    await panel.getByRole("combobox", { name: "Paints" }).selectOption("Gradient scale β");
-    await visit.sent("brush 4 0.5 2 smooth beta");
-  }));
-
-test("BrushOfTheTextureFadesOrStrengthens", () =>
-  bench.visitSession(async (visit) => {
-    const brush = { radius: 4, strength: 0.5, beta: 5, fallOff: "smooth", paints: "beta", through: false };
-    await visit.document({ brush });
-    const panel = visit.page.getByRole("region", { name: "Brush" });
-    await panel.getByRole("combobox", { name: "Paints" }).selectOption("Texture gain");
-    await visit.sent("brush 4 0.5 2 smooth texture");
-    await visit.document({ brush: { ...brush, beta: 2, paints: "texture" } });
-    await panel.getByRole("button", { name: "Strengthen", pressed: true }).waitFor();
-    await panel.getByRole("button", { name: "Fade" }).click();
-    await visit.sent("brush 4 0.5 0 smooth texture");
-    await panel.getByRole("textbox", { name: "Painted gain as a number" }).fill("3");
-    await visit.page.keyboard.press("Enter");
-    await visit.sent("brush 4 0.5 3 smooth texture");
-    await panel.getByRole("combobox", { name: "Paints" }).selectOption("Strength of kept edges");
-    await visit.sent("brush 4 0.5 1 smooth edges");
-    await panel.getByRole("combobox", { name: "Paints" }).selectOption("Gradient scale β");
-    await visit.sent("brush 4 0.5 5 smooth beta");
-  }));
-
-test("BrushIsOneLine", () =>
+test("BrushHasModesShapeAndMirror", () =>
   bench.visitSession(async (visit) => {
     const panel = visit.page.getByRole("region", { name: "Brush" });
+    await panel.getByRole("button", { name: "Smooth", pressed: true }).waitFor();
     await panel.getByRole("button", { name: "Sharpen" }).click();
-    await visit.sent("brush 4 0.5 2 smooth beta");
+    await visit.sent("panel commit press Brush/Sharpen");
     await panel.getByRole("combobox", { name: "Paints" }).selectOption("Gain of 2 to 8");
-    await visit.sent("brush 4 0.5 0 smooth band:2");
-    await panel.getByRole("combobox", { name: "Paints" }).selectOption("Strength of kept edges");
-    await visit.sent("brush 4 0.5 1 smooth edges");
+    await visit.sent("panel commit band:2 Brush/Paints");
     await panel.getByRole("combobox", { name: "Fall-off" }).selectOption("Sharp");
-    await visit.sent("brush 4 0.5 0 sharp beta");
+    await visit.sent("panel commit sharp Brush/Fall-off");
     await panel.getByRole("textbox", { name: "Radius as a number" }).fill("2");
     await visit.page.keyboard.press("Enter");
-    await visit.sent("brush 2 0.5 0 smooth beta");
+    await visit.sent("panel commit 2 Brush/Radius");
     await panel.getByRole("checkbox", { name: "Through walls" }).click();
-    await visit.sent("brush 4 0.5 0 smooth beta through");
+    await visit.sent("panel commit on Brush/Through walls");
     await panel.getByRole("checkbox", { name: "Pen pressure" }).click();
-    await visit.sent("pen off");
+    await visit.sent("panel commit off Brush/Pen pressure");
     await panel.getByRole("combobox", { name: "Mirror" }).selectOption("Across x");
-    await visit.sent("mirror x");
+    await visit.sent("panel commit x Brush/Mirror");
     await panel.getByRole("slider", { name: "Mirror plane" }).fill("750");
-    await visit.sent("mirror x 25");
+    await visit.sent("panel commit 25 Brush/Mirror plane");
   }));
 
 test("LimitsHoldRimsMovesAndRegions", () =>

@@ -21,7 +21,7 @@ export const library: Library = {
 };
 
 const slider = (name: string, hint: string, value: number, low: number, high: number): SliderWidget =>
-  ({ kind: "slider", name, hint, value, low, high, scale: "linear" });
+  ({ kind: "slider", name, hint, value, low, high, scale: "linear", digits: 3 });
 
 const line = Array.from({ length: 49 }, (_, i) => 0.63 + 0.2 * Math.sin(i / 8));
 
@@ -74,9 +74,6 @@ export const session: Document = {
   brush: { radius: 4, strength: 0.5, beta: 0, fallOff: "smooth", paints: "beta", through: false },
   tool: "paint",
   lasso: "off",
-  mirror: null,
-  hasPen: true,
-  penPressure: true,
   panels: {
     "Keep edges": [
       { kind: "text", name: "Noise goes, edges stay, and what is sharpened is the surface without its noise." },
@@ -90,6 +87,26 @@ export const session: Document = {
       slider("Strength of kept edges", "How much of the noise goes", 1, 0, 1),
       slider("Edge angle", "Degrees: sharper bends are edges, and stay", 35, 5, 120),
       { ...slider("Noise size", "Noise of up to about this length goes, in the scan's units.", 1, 0.5, 5), scale: "logarithmic" },
+    ],
+    Brush: [
+      {
+        kind: "row",
+        columns: 3,
+        widgets: [
+          { kind: "button", name: "Smooth", pressed: true },
+          { kind: "button", name: "Restore", pressed: false },
+          { kind: "button", name: "Sharpen", pressed: false },
+        ],
+      },
+      { kind: "choice", name: "Paints", labelled: true, value: "beta", choices: [["beta", "Gradient scale β"], ["edges", "Strength of kept edges"], ["band:2", "Gain of 2 to 8"]] },
+      { ...slider("Painted β", "", 0, 0, 10), scale: "beta" },
+      { ...slider("Radius", "", 4, 0.015, 75), scale: "logarithmic", note: "in the scan's units" },
+      { ...slider("Strength", "", 0.5, 0.01, 1), digits: 0 },
+      { kind: "check", name: "Pen pressure", hint: "The harder the pen presses, the stronger the brush.", on: true },
+      { kind: "choice", name: "Fall-off", labelled: true, value: "smooth", choices: [["smooth", "Smooth"], ["sharp", "Sharp"]] },
+      { kind: "check", name: "Through walls", on: false },
+      { kind: "choice", name: "Mirror", labelled: true, value: "off", choices: [["off", "Off"], ["x", "Across x"]] },
+      { ...slider("Mirror plane", "", 0, -50, 50), digits: 4, untitled: true },
     ],
     Limits: [
       {
@@ -141,7 +158,7 @@ export const session: Document = {
           { kind: "check", name: "Wireframe", on: false },
         ],
       },
-      { ...slider("Place of the split", "", 0.5, 0.05, 0.95), twoDecimals: true, untitled: true },
+      { ...slider("Place of the split", "", 0.5, 0.05, 0.95), digits: 0, untitled: true },
       {
         kind: "row",
         columns: 2,
@@ -169,14 +186,14 @@ export const session: Document = {
     Light: [
       { kind: "choice", name: "Light", hint: "A lamp, the sky and a weak second lamp.", value: "clay", choices: [["clay", "Clay"], ["raking", "Raking light"]] },
       { kind: "lamp", name: "Lamp", azimuth: 137, elevation: 25, ballX: -0.5, ballY: 0.5 },
-      { ...slider("Occlusion", "", 0, 0, 1), twoDecimals: true },
+      { ...slider("Occlusion", "", 0, 0, 1), digits: 0 },
       { kind: "button", name: "As at first" },
     ],
     Colours: [
       { kind: "button", name: "Show colours" },
       { ...slider("Gradient scale of colours", "Left evens the colours out.", 1, 0, 10), scale: "beta" },
       { kind: "button", name: "Keep colours", hint: "Sets the gradient scale to 1. Painted colours stay painted." },
-      { ...slider("Texture gain", "Left fades them, right makes them stronger", 1, 0, 4), twoDecimals: true },
+      { ...slider("Texture gain", "Left fades them, right makes them stronger", 1, 0, 4), digits: 0 },
     ],
   },
   history: [

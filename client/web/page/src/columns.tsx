@@ -1,7 +1,6 @@
 // The columns of panels beside the picture. A narrow page has one.
 
 import { useEffect, useState } from "preact/hooks";
-import { BrushPanel } from "./brush_panel";
 import { Section, Figures, useOver } from "./controls";
 import { CurvePanel } from "./curve_panel";
 import { EqualiserPanel } from "./equaliser_panel";
@@ -41,7 +40,7 @@ export function EditColumn(props: PresetProps & { children?: preact.ComponentChi
           <CurvePanel document={document} />
         </Section>
         <Section name="Brush">
-          <BrushPanel document={document} />
+          <WidgetPanel document={document} name="Brush" />
         </Section>
         <Section name="Limits">
           <LimitsPanel document={document} />

@@ -39,7 +39,6 @@ export const frontCommands: readonly FrontCommand[] = [
   { form: "ruler clear", means: "forgets the ruler's points" },
   { form: "preset_keep NAME", means: "keeps gradient scale, curve and bands as a preset of one's own" },
   { form: "preset_delete NAME", means: "deletes a preset of one's own" },
-  { form: "pen on|off", means: "lets a pen's pressure rule the strength" },
   { form: "unit [NAME]", means: "names the unit of the scan's coordinates for everybody" },
   { form: "depth N", means: "opens a fork of the session at another depth" },
   { form: "bands first", means: "makes bands to begin with" },
@@ -102,10 +101,7 @@ export const command = {
     words("brush", brush.radius, brush.strength, brush.beta, brush.fallOff satisfies FallOff, brush.paints) +
     (brush.through ? " through" : ""),
   brushDrag: (what: "radius" | "strength") => words("brush_drag", what),
-  mirror: (axis: string, at?: number) =>
-    at === undefined ? words("mirror", axis) : words("mirror", axis, at),
   tool: (tool: Tool) => words("tool", tool),
-  pen: (on: boolean) => words("pen", onOff(on)),
 
   undo: () => "undo",
   redo: () => "redo",

@@ -130,7 +130,6 @@ export interface Brush {
   through: boolean;
 }
 
-export type Axis = "x" | "y" | "z";
 export type ColourBy = "clay" | "beta" | "curvature" | "displacement" | "scan";
 export type Role = "viewer" | "editor" | "owner";
 export type Tool = "paint" | "look" | "measure";
@@ -182,7 +181,8 @@ export interface SliderWidget extends UsableWidget {
   high: number;
   scale: "linear" | "logarithmic" | "beta";
   /** Else three digits. */
-  twoDecimals?: boolean;
+  /** Of the number; 0: two decimals. */
+  digits: number;
   untitled?: boolean;
   /** Behind the title. */
   note?: string;
@@ -295,10 +295,6 @@ export interface Document {
   brush: Brush;
   tool: Tool;
   lasso: Lasso;
-  mirror: { axis: Axis; at: number } | null;
-  /** A pen has drawn; its pressure may rule the strength. */
-  hasPen: boolean;
-  penPressure: boolean;
 
   /** By name. */
   panels: Record<string, Widget[]>;

@@ -7,7 +7,7 @@ import type { PanelProps } from "./filter_panel";
 import { Lamp } from "./lamp";
 import { Slider, betaScale, betaTone, linear, logarithmic } from "./slider";
 import type { SliderWidget, Widget } from "./snapshot";
-import { fixed, short } from "./words";
+import { fixed, rounded } from "./words";
 
 export const WidgetPanel = ({ document, name }: PanelProps & { name: string }) => (
   <Widgets panel={name} widgets={document.panels[name] ?? []} />
@@ -67,7 +67,7 @@ function Drawn({ widget, place }: { widget: Exclude<Widget, { kind: "row" }>; pl
           <Slider
             {...widget}
             scale={scaleOf(widget)}
-            format={widget.twoDecimals ? fixed(2) : short}
+            format={widget.digits === 0 ? fixed(2) : rounded(widget.digits)}
             tone={widget.scale === "beta" ? betaTone(widget.value) : undefined}
             onMove={(value) => link.send(command.panel("preview", value, place))}
             onDone={commit}

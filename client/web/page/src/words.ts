@@ -1,7 +1,8 @@
 // Numbers and days as the window writes them.
 
-/** Three significant digits. */
-export const short = (value: number) => String(Number(value.toPrecision(3)));
+/** A count of significant digits. */
+export const rounded = (digits: number) => (value: number) => String(Number(value.toPrecision(digits)));
+export const short = rounded(3);
 
 /** A number with a fixed count of digits behind the point. */
 export const fixed = (digits: number) => (value: number) => value.toFixed(digits);
