@@ -7,6 +7,33 @@
 namespace burnish {
 namespace {
 
+constexpr Slider kScale = {
+    "Gradient scale of colours",
+    "Left evens the colours out, right makes them differ more. The shape does not move. Spots "
+    "finer than a cell of the grid stay: a larger depth reaches them.",
+    kBetaMin, kBetaMax, SliderScale::kBeta};
+constexpr Slider kGain = {
+    .name = "Texture gain",
+    .hint =
+        "Details of the colours that are finer than a cell of the grid: left fades them, right "
+        "makes them stronger",
+    .low = 0,
+    .high = kTextureGainMax,
+    .digits = 0};
+constexpr Slider kLight = {
+    .name = "Remove light",
+    .hint = "How much goes of the light that was there when the colours were taken",
+    .low = 0,
+    .high = 1,
+    .digits = 0};
+constexpr Slider kSeams = {.name = "Level seams",
+                           .hint =
+                               "How much goes of the steps of brightness between photos. The "
+                               "server bakes them anew",
+                           .low = 0,
+                           .high = 1,
+                           .digits = 0};
+
 /// Shows the filter's α as the wavelength of which half is left.
 SliderChange show_size(const Document& document, double& alpha, Widgets& widgets) {
   const double least = kWaveCellsMin * document.cell_size(), most = document.diagonal();
@@ -21,12 +48,7 @@ SliderChange show_size(const Document& document, double& alpha, Widgets& widgets
 
 void show_filter(Document& document, Widgets& widgets) {
   ColourFilter changed = document.colour_filter();
-  const SliderChange beta = widgets.slider(
-      {"Gradient scale of colours",
-       "Left evens the colours out, right makes them differ more. The shape does not move. Spots "
-       "finer than a cell of the grid stay: a larger depth reaches them.",
-       kBetaMin, kBetaMax, SliderScale::kBeta},
-      changed.beta);
+  const SliderChange beta = widgets.slider(kScale, changed.beta);
   const SliderChange size = show_size(document, changed.alpha, widgets);
   follow(std::max(beta, size), SetColour{changed}, document);
   if (widgets.button("Keep colours", "Sets the gradient scale to 1. Painted colours stay painted."))
@@ -35,23 +57,10 @@ void show_filter(Document& document, Widgets& widgets) {
 
 void show_texture(Document& document, Widgets& widgets) {
   TextureFilter changed = document.texture();
-  const auto part = [&](const char* name, const char* hint, double high, double& value) {
-    return widgets.slider({name, hint, 0, high, SliderScale::kLinear, 0}, value);
-  };
-  SliderChange change =
-      part("Texture gain",
-           "Details of the colours that are finer than a cell of the grid: left fades them, right "
-           "makes them stronger",
-           kTextureGainMax, changed.gain);
-  change =
-      std::max(change, part("Remove light",
-                            "How much goes of the light that was there when the colours were taken",
-                            1, changed.remove_light));
+  SliderChange change = widgets.slider(kGain, changed.gain);
+  change = std::max(change, widgets.slider(kLight, changed.remove_light));
   if (document.has_pictures())
-    change = std::max(change, part("Level seams",
-                                   "How much goes of the steps of brightness between photos. The "
-                                   "server bakes them anew",
-                                   1, changed.level_seams));
+    change = std::max(change, widgets.slider(kSeams, changed.level_seams));
   follow(change, SetTexture{changed}, document);
   widgets.text(seams_text(document).c_str());
 }

@@ -45,6 +45,11 @@ void choose_edges(Document& document, Widgets& widgets) {
     document.keep_edges(edge_presets()[static_cast<size_t>(taken - kPresets)].filter);
 }
 
+constexpr Slider kStrength = {"Strength of kept edges", "How much of the noise goes", 0, 1};
+constexpr Slider kCrispness = {"Crispness", "Low for relief, high for machined parts", 0, 1};
+constexpr Slider kAngle = {"Edge angle", "Degrees: sharper bends are edges, and stay",
+                           kEdgeAngleMin, kEdgeAngleMax};
+
 SliderChange show_noise_size(double edge, int& passes, Widgets& widgets) {
   double size = noise_size(passes, edge);
   const SliderChange change = widgets.slider(
@@ -59,15 +64,10 @@ SliderChange show_noise_size(double edge, int& passes, Widgets& widgets) {
 // Sliders are there at strength 0 too, which a drag may pass.
 void show_values(Document& document, Widgets& widgets) {
   EdgeFilter changed = document.edges();
-  const SliderChange changes[] = {
-      widgets.slider({"Strength of kept edges", "How much of the noise goes", 0, 1},
-                     changed.strength),
-      widgets.slider({"Crispness", "Low for relief, high for machined parts", 0, 1},
-                     changed.crispness),
-      widgets.slider({"Edge angle", "Degrees: sharper bends are edges, and stay", kEdgeAngleMin,
-                      kEdgeAngleMax},
-                     changed.edge_angle),
-      show_noise_size(document.mean_edge(), changed.passes, widgets)};
+  const SliderChange changes[] = {widgets.slider(kStrength, changed.strength),
+                                  widgets.slider(kCrispness, changed.crispness),
+                                  widgets.slider(kAngle, changed.edge_angle),
+                                  show_noise_size(document.mean_edge(), changed.passes, widgets)};
   follow(std::ranges::max(changes), SetEdges{changed}, document);
 }
 

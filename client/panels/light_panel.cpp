@@ -5,28 +5,21 @@
 namespace burnish {
 namespace {
 
-struct Words {
-  const char* label;
-  const char* hint;
-};
-
-constexpr Words kLights[] = {
-    {"Clay", "A lamp, the sky and a weak second lamp."},
-    {"Radiance scaling", "Brightens what bends outwards and darkens what bends inwards."},
-    {"Cavity", "Bright ridges and dark valleys."},
-    {"Raking light", "One hard lamp. Low over the surface it shows the finest relief."},
-    {"Ceramic", "White glaze with bright windows."},
-    {"Bronze", "Dark metal."},
-    {"Slopes", "Each direction of a slope has its own tone."},
-    {"Unlit", "The colours alone, without light."}};  // as LightKind
+constexpr Option kLights[] = {
+    {"clay", "Clay", "A lamp, the sky and a weak second lamp."},
+    {"radiance", "Radiance scaling",
+     "Brightens what bends outwards and darkens what bends inwards."},
+    {"cavity", "Cavity", "Bright ridges and dark valleys."},
+    {"raking", "Raking light", "One hard lamp. Low over the surface it shows the finest relief."},
+    {"ceramic", "Ceramic", "White glaze with bright windows."},
+    {"bronze", "Bronze", "Dark metal."},
+    {"slopes", "Slopes", "Each direction of a slope has its own tone."},
+    {"unlit", "Unlit", "The colours alone, without light."}};  // as LightKind
 
 static_assert(std::size(kLights) == kLightKinds);
 
 void choose_light(Lighting& lighting, Widgets& widgets) {
-  Option options[kLightKinds];
-  for (int i = 0; i < kLightKinds; ++i)
-    options[i] = {name_of(static_cast<LightKind>(i)).data(), kLights[i].label, kLights[i].hint};
-  const int taken = widgets.choice({"Light", options}, static_cast<int>(lighting.kind));
+  const int taken = widgets.choice({"Light", kLights}, static_cast<int>(lighting.kind));
   if (taken >= 0) lighting.kind = static_cast<LightKind>(taken);
 }
 

@@ -13,6 +13,19 @@ constexpr Option kColours[] = {{"clay", "Clay"},
                                {"displacement", "Displacement"},
                                {"scan", "Colours of the scan"}};  // as ColourBy
 
+constexpr Slider kDisplacement = {.name = "Displacement",
+                                  .hint = "",
+                                  .low = 0.05,
+                                  .high = 20,
+                                  .scale = SliderScale::kLogarithmic,
+                                  .note = "full colour at this many cells"};
+constexpr Slider kSplit = {.name = "Place of the split",
+                           .hint = "",
+                           .low = 0.05,
+                           .high = 0.95,
+                           .digits = 0,
+                           .has_title = false};
+
 void choose_colour(Document& document, Widgets& widgets) {
   const std::span options(kColours, std::size(kColours) - (document.has_colours() ? 0 : 1));
   const int taken = widgets.choice({"Colour", options}, static_cast<int>(document.colour()));
@@ -32,14 +45,7 @@ void show_toggles(Viewport& viewport, Widgets& widgets) {
                 options.split);
   widgets.check("Original", "Shows the surface before all edits.", viewport.hold_original);
   widgets.end_row();
-  if (options.split)
-    widgets.slider({.name = "Place of the split",
-                    .hint = "",
-                    .low = 0.05,
-                    .high = 0.95,
-                    .digits = 0,
-                    .has_title = false},
-                   options.split_at);
+  if (options.split) widgets.slider(kSplit, options.split_at);
 }
 
 void show_bookmarks(Viewport& viewport, Widgets& widgets) {
@@ -65,13 +71,7 @@ void show_view(Workspace& workspace, Widgets& widgets) {
   Viewport& viewport = workspace.viewport;
   choose_colour(document, widgets);
   if (document.colour() == ColourBy::kDisplacement)
-    widgets.slider({.name = "Displacement",
-                    .hint = "",
-                    .low = 0.05,
-                    .high = 20,
-                    .scale = SliderScale::kLogarithmic,
-                    .note = "full colour at this many cells"},
-                   viewport.options.displacement_range);
+    widgets.slider(kDisplacement, viewport.options.displacement_range);
   show_toggles(viewport, widgets);
   show_bookmarks(viewport, widgets);
   if (widgets.check("Left button turns the view", "", viewport.navigate_mode))
@@ -82,12 +82,11 @@ void show_view(Workspace& workspace, Widgets& widgets) {
 
 void show_camera(Workspace& workspace, Widgets& widgets) {
   Viewport& viewport = workspace.viewport;
-  Option ups[kUpAxes];
-  for (int i = 0; i < kUpAxes; ++i)
-    ups[i].word = ups[i].label = name_of(static_cast<UpAxis>(i)).data();
+  static constexpr Option kUps[] = {{"x", "x"},   {"y", "y"},   {"z", "z"},
+                                    {"-x", "-x"}, {"-y", "-y"}, {"-z", "-z"}};  // as UpAxis
   const int up =
       widgets.choice({.name = "Up",
-                      .options = ups,
+                      .options = kUps,
                       .hint = "The scan's axis that points up. It is kept with the session.",
                       .is_labelled = true},
                      static_cast<int>(viewport.camera.up));

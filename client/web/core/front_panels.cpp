@@ -76,10 +76,10 @@ std::optional<Status> do_panel_line(const FrontWords& line, Workspace& workspace
   if (line.command != "panel") return std::nullopt;
   if (const Status has_words = need_words(line, 3); !has_words.is_ok()) return has_words;
   const std::string place = joined({line.words.begin() + 2, line.words.end()});
-  const std::string_view name = std::string_view(place).substr(0, place.find('/'));
+  const size_t slash = place.find('/');
   for (const SharedPanel& panel : kSharedPanels) {
-    if (panel.name != name || name.size() == place.size()) continue;
-    UsedWidgets widgets(place.c_str() + name.size() + 1, line.words[1], line.words[0] == "commit");
+    if (slash == place.npos || place.compare(0, slash, panel.name) != 0) continue;
+    UsedWidgets widgets(place.c_str() + slash + 1, line.words[1], line.words[0] == "commit");
     panel.show(workspace, widgets);
     return widgets.status();
   }
