@@ -135,7 +135,8 @@ class MeshStore {
 
   /// Describes a scan's pages. Makes missing and damaged ones now.
   /// Fails: resource_exhausted when the memory or the disk has no room; not_found; cancelled.
-  Result<PagesDescription> describe_pages(const std::string& id, const Progress& progress);
+  Result<PagesDescription> describe_pages(const std::string& id, const Progress& progress,
+                                          const std::string& user = {});
 
   /// Reads blocks and pages in the order of the wish, and hands them over one by one.
   /// Fails: invalid_argument naming a block or page that the scan does not have;
@@ -175,7 +176,8 @@ class MeshStore {
 
   /// Opens a scan's page file. Makes a missing or damaged one now. Fails: as describe_pages().
   Result<std::shared_ptr<const ScanPages>> open_pages(const std::string& id,
-                                                      const Progress& progress);
+                                                      const Progress& progress,
+                                                      const std::string& user = {});
   /// Opens it as it is. Fails: failed_precondition when the scan has no pages.
   Result<std::shared_ptr<const ScanPages>> find_pages(const std::string& id);
   /// Reads and decodes a page. Needs: a page of the scan. Fails: data_loss when it is damaged: the

@@ -35,11 +35,12 @@ static bool can_be_made_again(StatusCode code) {
 }
 
 Result<std::shared_ptr<const ScanPages>> MeshStore::open_pages(const std::string& id,
-                                                               const Progress& progress) {
+                                                               const Progress& progress,
+                                                               const std::string& user) {
   auto pages = open_page_file(id);
   if (pages.is_ok() || !can_be_made_again(pages.status().code())) return pages;
   RETURN_IF_ERROR(bring_here(id, progress));
-  ASSIGN_OR_RETURN(auto turn, wait_to_prepare(id, {}, progress));
+  ASSIGN_OR_RETURN(auto turn, wait_to_prepare(id, user, progress));
   pages = open_page_file(id);  // somebody else may have made them meanwhile
   if (pages.is_ok() || !can_be_made_again(pages.status().code())) return pages;
   if (pages.status().code() == StatusCode::kDataLoss)
@@ -104,9 +105,9 @@ static Result<std::vector<PagePart>> last_blocks(const PageFile& file) {
   return blocks;
 }
 
-Result<PagesDescription> MeshStore::describe_pages(const std::string& id,
-                                                   const Progress& progress) {
-  ASSIGN_OR_RETURN(const auto pages, open_pages(id, progress));
+Result<PagesDescription> MeshStore::describe_pages(const std::string& id, const Progress& progress,
+                                                   const std::string& user) {
+  ASSIGN_OR_RETURN(const auto pages, open_pages(id, progress, user));
   PagesDescription description;
   const auto head = pages->file.head_bytes();
   description.head.assign(head.begin(), head.end());

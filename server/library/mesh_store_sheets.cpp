@@ -77,7 +77,7 @@ Result<std::shared_ptr<const ScanSheets>> MeshStore::open_sheets(const std::stri
   const uint64_t version = seams_version(seams);
   ASSIGN_OR_RETURN(const bool may_have_sheets, may_show_pictures(id, progress));
   if (!may_have_sheets) return std::shared_ptr<const ScanSheets>();
-  ASSIGN_OR_RETURN(const auto pages, open_pages(id, progress));
+  ASSIGN_OR_RETURN(const auto pages, open_pages(id, progress, user));
   const WishedSheets::Wish wish(wished_sheets_, {id, version});
   auto sheets = open_sheet_file(pages, version);
   if (sheets.is_ok() || !is_to_be_made(sheets.status().code())) return sheets;

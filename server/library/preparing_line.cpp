@@ -20,10 +20,11 @@ Result<PreparingLine::Turn> PreparingLine::wait(const Wish& wish, const Progress
 }
 
 // Needles and folds take far more than reading tells. The user's place among the large scans is not
-// taken: who holds it may wait for this scan.
+// taken: who holds it may wait for this scan. That among the small is free for the next.
 Status PreparingLine::Turn::change_places(const Progress& told) {
   end_.reset();
   place_lock_.unlock();
+  user_lock_.unlock();
   ASSIGN_OR_RETURN(place_lock_, lock_or_cancel(line_->large_, kWaiting, told));
   return Status::ok();
 }

@@ -32,8 +32,9 @@ Result<LiveClient> LiveSessions::join(const Greeting& greeting, const Caller& ca
                                       SubscriberWiring wiring, const Progress& progress) {
   ASSIGN_OR_RETURN(const SessionManager::Attached attached,
                    manager_.attach(greeting.session, caller, progress));
-  ASSIGN_OR_RETURN(auto pages, manager_.store().open_pages(attached.info.scan_id,
-                                                           give_way_to(scheduler_, progress)));
+  ASSIGN_OR_RETURN(auto pages,
+                   manager_.store().open_pages(attached.info.scan_id,
+                                               give_way_to(scheduler_, progress), caller.user));
   const uint64_t fingerprint = pages_fingerprint(pages->file.head_bytes());
   auto memory = manager_.memory().take(kServer, predict_client_bytes({}));
   if (!memory.is_ok())

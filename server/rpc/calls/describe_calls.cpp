@@ -8,7 +8,7 @@ namespace burnish {
 Status DescribePagesCall::run() {
   ASSIGN_OR_RETURN(const ScanInfo scan, calls_.store.find(request_.scan()));
   ASSIGN_OR_RETURN(const PagesDescription description,
-                   calls_.store.describe_pages(scan.id, progress()));
+                   calls_.store.describe_pages(scan.id, progress(), calls_.user));
   v1::DescribePagesEvent event;
   *event.mutable_done() = to_wire(description);
   events_.push(std::move(event));

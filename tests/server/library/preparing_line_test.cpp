@@ -87,6 +87,7 @@ TEST(PreparingLine, WhoSeemedSmallAndTakesLongWaitsWithTheLargeOnes) {
   now += std::chrono::seconds(1);
   EXPECT_TRUE(progress("measuring", 0)) << "no large one is prepared";
   EXPECT_TRUE(line.wait({"bob", "coin", true}, is_not_waiting).is_ok());
+  EXPECT_TRUE(line.wait({"ann", "coin", true}, is_not_waiting).is_ok());
   EXPECT_FALSE(line.wait({"ann", "wall", false}, is_not_waiting).is_ok());
 }
 
