@@ -22,8 +22,8 @@ struct SeamsOfSession {
 };
 
 /// Has a server describe the sheets of a session's newest seams, one call at a time. A call for
-/// older seams is cancelled, so that nothing is baked for nobody. Never waits. Used from one
-/// thread.
+/// older seams is cancelled, as is one whose finder goes, so that nothing is baked for nobody.
+/// Never waits. Used from one thread.
 class SheetFinder {
  public:
   /// Runs elsewhere, and ends soon after its progress returned false.
@@ -35,6 +35,11 @@ class SheetFinder {
   /// `tasks` outlives this.
   SheetFinder(Tasks& tasks, Describe describe, Take take)
       : tasks_(tasks), describe_(std::move(describe)), take_(std::move(take)) {}
+  ~SheetFinder() {
+    if (outdated_) outdated_->store(true);
+  }
+  SheetFinder(const SheetFinder&) = delete;
+  SheetFinder& operator=(const SheetFinder&) = delete;
 
   /// Finds the sheets of these seams. Cancels a call for others.
   void find(const SeamsOfSession& seams);

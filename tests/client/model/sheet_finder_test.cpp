@@ -2,6 +2,7 @@
 
 #include <condition_variable>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <utility>
 #include <vector>
@@ -24,7 +25,7 @@ class FakeBakery {
         lock.unlock();
         const bool goes_on = progress("sheets", 0);
         lock.lock();
-        if (!goes_on) return Result<SheetsDescription>(cancelled("the call was cancelled"));
+        if (!goes_on) return cancel();
         changed_.wait(lock, [this] { return std::exchange(has_step_, false); });
       }
       SheetsDescription found;
@@ -33,6 +34,10 @@ class FakeBakery {
     };
   }
 
+  void wait_until_cancelled() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return is_cancelled_; });
+  }
   void wait_until_begun(size_t calls) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return begun_.size() == calls; });
@@ -53,10 +58,17 @@ class FakeBakery {
   }
 
  private:
+  /// Needs the lock.
+  Result<SheetsDescription> cancel() {
+    is_cancelled_ = true;
+    changed_.notify_all();
+    return cancelled("the call was cancelled");
+  }
+
   std::mutex mutex_;
   std::condition_variable changed_;
   std::map<double, bool> is_done_;
-  bool has_step_ = false;
+  bool has_step_ = false, is_cancelled_ = false;
   std::vector<double> begun_;
 };
 
@@ -93,6 +105,18 @@ TEST_F(SheetFinderOfABakery, ANewerWishCancelsACallWithinAStep) {
   EXPECT_EQ(versions_, std::vector<uint64_t>{10});
   EXPECT_TRUE(failures_.empty()) << "nobody failed";
   EXPECT_EQ(bakery_.begun(), (std::vector<double>{0.5, 1}));
+}
+
+TEST_F(SheetFinderOfABakery, ACallIsCancelledWhenItsFinderGoes) {
+  auto finder = std::make_unique<SheetFinder>(
+      tasks_, bakery_.describe(),
+      [](const Result<SheetsDescription>&) { ADD_FAILURE() << "nobody waits for it"; });
+  finder->find({0.5, {}});
+  bakery_.wait_until_begun(1);
+  finder.reset();
+  bakery_.step();
+  bakery_.wait_until_cancelled();
+  tasks_.drain();
 }
 
 TEST_F(SheetFinderOfABakery, OnlyTheNewestOfManyWishesIsAskedFor) {
