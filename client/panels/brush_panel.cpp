@@ -8,10 +8,12 @@
 namespace burnish {
 namespace {
 
-/// Undo may have taken the band or the curve away.
+/// Undo may have taken the band or the curve away, and another scan has no colours.
 void forget_missing(const Document& document, Brush& brush) {
   if (brush.band > static_cast<int>(document.equaliser().bands.size())) brush.band = 0;
   if (brush.curve > static_cast<int>(document.palette().curves.size())) brush.curve = 0;
+  brush.colour &= document.has_colours();
+  brush.texture &= document.has_colours();
 }
 
 void show_modes(Brush& brush, Widgets& widgets) {
@@ -33,19 +35,7 @@ void show_modes(Brush& brush, Widgets& widgets) {
   widgets.end_row();
 }
 
-// A strength of kept edges and a texture gain are no β: the brush's β waits among the preferences.
-void paint_instead(const char* word, Brush& brush, Preferences& preferences) {
-  constexpr double kFirstTextureGain = 2;
-  if (word == painted_word(brush)) return;
-  const bool painted_beta = !brush.has_own_limits();
-  if (painted_beta) preferences.brush_beta = brush.beta;
-  (void)parse_painted(word, brush);  // it is a word of ours
-  if (brush.edges) brush.beta = brush.value_max();
-  if (brush.texture) brush.beta = kFirstTextureGain;
-  if (!painted_beta && !brush.has_own_limits()) brush.beta = preferences.brush_beta;
-}
-
-void choose_painted(Workspace& workspace, Brush& brush, Widgets& widgets) {
+void choose_painted(Workspace& workspace, const Brush& brush, Widgets& widgets) {
   const Document& document = *workspace.document();
   std::vector<Option> options = {{"beta", "Gradient scale β"}, {"edges", "Strength of kept edges"}};
   if (document.has_colours()) options.push_back({"colour", "Gradient scale of colours"});
@@ -65,10 +55,10 @@ void choose_painted(Workspace& workspace, Brush& brush, Widgets& widgets) {
     add("curve:", curve, "Curve " + curves[curve - 1].name);
   const std::string painted = painted_word(brush);
   const auto shown = std::ranges::find(options, painted, &Option::word);
-  const int taken = widgets.choice({.name = "Paints", .options = options, .is_labelled = true},
-                                   static_cast<int>(shown - options.begin()));
-  if (taken >= 0)
-    paint_instead(options[static_cast<size_t>(taken)].word, brush, workspace.preferences);
+  const int taken =
+      widgets.choice({.name = "Paints", .options = options, .is_labelled = true},
+                     shown == options.end() ? -1 : static_cast<int>(shown - options.begin()));
+  if (taken >= 0) paint_instead(options[static_cast<size_t>(taken)].word, workspace);
 }
 
 void show_painted_value(Brush& brush, Widgets& widgets) {
@@ -125,6 +115,20 @@ void show_mirror(Document& document, Widgets& widgets) {
 }
 
 }  // namespace
+
+// A strength of kept edges and a texture gain are no β: the brush's β waits among the preferences.
+void paint_instead(const char* word, Workspace& workspace) {
+  constexpr double kFirstTextureGain = 2;
+  Brush& brush = workspace.document()->brush().brush;
+  double& beta = workspace.preferences.brush_beta;
+  if (word == painted_word(brush)) return;
+  const bool painted_beta = !brush.has_own_limits();
+  if (painted_beta) beta = brush.beta;
+  (void)parse_painted(word, brush);  // it is a word of ours
+  if (brush.edges) brush.beta = brush.value_max();
+  if (brush.texture) brush.beta = kFirstTextureGain;
+  if (!painted_beta && !brush.has_own_limits()) brush.beta = beta;
+}
 
 void show_brush(Workspace& workspace, Widgets& widgets) {
   Document& document = *workspace.document();

@@ -39,6 +39,9 @@ inline constexpr SharedPanel kLimitsPanel = {"Limits", show_limits};
 inline constexpr SharedPanel kSharedPanels[] = {
     kBrushPanel, kEdgesPanel, kColourPanel, kLightPanel, kViewPanel, kCameraPanel, kLimitsPanel};
 
+/// Lets the brush paint something else. `word`: as painted_word() gives it.
+void paint_instead(const char* word, Workspace& workspace);
+
 /// Previews an edit while its slider moves, and makes it when the slider is let go.
 void follow(SliderChange change, Change edit, Document& document);
 

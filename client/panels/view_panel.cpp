@@ -28,7 +28,9 @@ constexpr Slider kSplit = {.name = "Place of the split",
 
 void choose_colour(Document& document, Widgets& widgets) {
   const std::span options(kColours, std::size(kColours) - (document.has_colours() ? 0 : 1));
-  const int taken = widgets.choice({"Colour", options}, static_cast<int>(document.colour()));
+  const auto chosen = static_cast<size_t>(document.colour());
+  const int taken =
+      widgets.choice({"Colour", options}, chosen < options.size() ? static_cast<int>(chosen) : -1);
   if (taken >= 0) document.set_colour(static_cast<ColourBy>(taken));
 }
 
@@ -75,7 +77,7 @@ void show_view(Workspace& workspace, Widgets& widgets) {
   show_toggles(viewport, widgets);
   show_bookmarks(viewport, widgets);
   if (widgets.check("Left button turns the view", "", viewport.navigate_mode))
-    viewport.measure_mode = false;
+    viewport.measure_mode &= !viewport.navigate_mode;
   widgets.text(status_text(document.surface().status()).c_str());
   widgets.text(("depth " + std::to_string(document.depth())).c_str());
 }

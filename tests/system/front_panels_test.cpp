@@ -1,5 +1,8 @@
 // Panels of client/panels, as the page shows and uses them.
 
+#include <cstdio>
+#include <string>
+
 #include "common/generate/generate.h"
 #include "common/mesh/io/mesh_io.h"
 #include "tests/system/front_service.h"
@@ -209,9 +212,24 @@ TEST_F(FrontPanels, LimitsAreSetAndTheirCapIsOffAtTheRight) {
   const Controls& controls = front_.workspace().document()->controls();
   EXPECT_EQ(controls.cap, 0.2);
   EXPECT_TRUE(controls.keep_volume);
+  const double any = widget("Limits", "Largest move")["high"];
+  char rounded[32];
+  std::snprintf(rounded, sizeof(rounded), "%.9g", any * (1 - 4e-6));  // as by six digits
+  line(std::string("panel commit ") + rounded + " Limits/Largest move");
+  EXPECT_EQ(controls.cap, 0);
+  line("panel commit 0.2 Limits/Largest move");
   line("panel commit 1000 Limits/Largest move");
   EXPECT_EQ(controls.cap, 0);
+  EXPECT_THAT(answer_to("panel commit nan Limits/Largest move"), HasSubstr("'nan'"));
   EXPECT_THAT(answer_to("panel commit up Limits/Volume stays"), HasSubstr("'up'"));
+}
+
+TEST_F(FrontPanels, ABrushOfColoursThatTheScanLacksPaintsItsBeta) {
+  ASSERT_TRUE(open());
+  for (const char* word : {"colour", "texture"}) {
+    line(std::string("brush 0.1 1 0 smooth ") + word);
+    EXPECT_EQ(widget("Brush", "Paints")["value"], "beta") << word;
+  }
 }
 
 TEST_F(FrontPanels, APieceIsProtectedOnceThePointerWasOnIt) {

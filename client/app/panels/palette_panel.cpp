@@ -4,6 +4,7 @@
 #include "client/app/panels/panels.h"
 #include "client/app/widgets/places.h"
 #include "client/app/widgets/theme.h"
+#include "client/panels/panels.h"
 
 namespace burnish {
 namespace {
@@ -24,7 +25,8 @@ uint32_t from_colour(const float* rgb) {
 }
 
 /// Draws a curve's row. Returns true if `palette` has changed.
-bool draw_curve_row(Document& document, Palette& palette, size_t index) {
+bool draw_curve_row(Workspace& workspace, Palette& palette, size_t index) {
+  Document& document = *workspace.document();
   PaletteCurve& curve = palette.curves[index];
   const int number = static_cast<int>(index) + 1;
   ImVec4 colour = to_colour(curve.colour);
@@ -36,15 +38,11 @@ bool draw_curve_row(Document& document, Palette& palette, size_t index) {
   }
   is_changed |= ImGui::IsItemDeactivatedAfterEdit();
   ImGui::SameLine();
-  Brush& brush = document.brush().brush;
   const float end = em(7.5f);
-  const bool is_painted = brush.curve == number;
+  const bool is_painted = document.brush().brush.curve == number;
   if (noted(curve.name, ImGui::Selectable(curve.name.c_str(), is_painted, 0,
-                                          {ImGui::GetContentRegionAvail().x - end, 0}))) {
-    brush.curve = is_painted ? 0 : number;
-    brush.band = 0;
-    brush.colour = false;
-  }
+                                          {ImGui::GetContentRegionAvail().x - end, 0})))
+    paint_instead(is_painted ? "beta" : ("curve:" + std::to_string(number)).c_str(), workspace);
   hint("The brush paints where this curve rules");
   ImGui::SameLine();
   if (ImGui::SmallButton("set")) {
@@ -71,7 +69,7 @@ void PalettePanel::draw(Workspace& workspace) {
   bool is_changed = false;
   for (size_t i = 0; i < palette.curves.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
-    is_changed |= draw_curve_row(document, palette, i);
+    is_changed |= draw_curve_row(workspace, palette, i);
     ImGui::PopID();
   }
   if (palette.curves.size() < kPaletteCurvesMax) {

@@ -1,6 +1,7 @@
 // What the user does with a widget of a panel: `panel preview|commit VALUE PANEL/WIDGET`.
 
 #include <algorithm>
+#include <cmath>
 
 #include "client/panels/panels.h"
 #include "client/web/core/front_commands.h"
@@ -28,8 +29,10 @@ class UsedWidgets : public Widgets {
     if (!is_meant(slider.name)) return SliderChange::kStill;
     const auto number = parse_real(value_);
     status_ = number.status();
-    if (!number.is_ok()) return SliderChange::kStill;
-    value = std::clamp(*number, slider.low, slider.high);  // the page rounds
+    if (number.is_ok() && !std::isfinite(*number))
+      status_ = invalid_argument("'" + value_ + "' is not a finite number");
+    if (!status_.is_ok()) return SliderChange::kStill;
+    value = on_slider(slider, *number);
     return is_done_ ? SliderChange::kDone : SliderChange::kMoving;
   }
 
@@ -61,6 +64,14 @@ class UsedWidgets : public Widgets {
   void lamp(Lighting&) override {}  // it has lines of its own
 
  private:
+  /// The page rounds to six digits, so an end may come back from either side of it.
+  static double on_slider(const Slider& slider, double value) {
+    constexpr double kRounding = 1e-5;
+    for (const double end : {slider.low, slider.high})
+      if (std::abs(value - end) <= kRounding * std::abs(end)) return end;
+    return std::clamp(value, slider.low, slider.high);
+  }
+
   bool is_meant(std::string_view name) const { return is_enabled_ && name == name_; }
 
   std::string_view name_;

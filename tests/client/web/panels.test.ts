@@ -316,7 +316,7 @@ test("PaletteAddsPaintsAndRemovesCurves", () =>
     await panel.getByRole("button", { name: "Add" }).click();
     await visit.sent("palette 50 d9534f soft ; -20:50,20:120 4a7fd0 gentle relief");
     await panel.getByRole("button", { name: "soft", exact: true }).click();
-    await visit.sent("brush 4 0.5 0 smooth curve:1");
+    await visit.sent("panel commit curve:1 Brush/Paints");
     await panel.getByRole("button", { name: "Set soft" }).click();
     await visit.sent("palette -20:50,20:120 d9534f soft");
     await panel.getByRole("button", { name: "Show soft" }).click();

@@ -13,7 +13,7 @@ using testing::HasSubstr;
 
 TEST(MetricsExporter, ServesWhatWasCountedAndWhatThereIs) {
   const auto exporter = MetricsExporter::start("127.0.0.1:0", [] {
-    return std::vector<Gauge>{{"rooms", "Rooms", 3}, {"gateways", "Gateways", 2, "kind", "front"}};
+    return std::vector<Gauge>{{"rooms", "Rooms", 3}, {"doors", "Doors", 2, "kind", "front"}};
   });
   ASSERT_TRUE(exporter.is_ok()) << exporter.status().message();
   set_metrics(exporter.value()->figures());
@@ -31,7 +31,7 @@ TEST(MetricsExporter, ServesWhatWasCountedAndWhatThereIs) {
   EXPECT_EQ(metric(text, "burnish_refusals_total{reason=\"handshake\"}"), 0);
   EXPECT_EQ(metric(text, "burnish_journal_commit_seconds_count"), 1);
   EXPECT_EQ(metric(text, "rooms"), 3);
-  EXPECT_EQ(metric(text, "gateways{kind=\"front\"}"), 2);
+  EXPECT_EQ(metric(text, "doors{kind=\"front\"}"), 2);
 }
 
 TEST(MetricsExporter, AnAddressInUseIsRefusedByName) {

@@ -76,7 +76,7 @@ function CurveRow(props: { document: Document; curve: PaletteText; index: number
         pressed={isPainted}
         disabled={disabled}
         onClick={() =>
-          link.send(command.brush({ ...document.brush, paints: isPainted ? "beta" : word }))
+          link.send(command.panel("commit", isPainted ? "beta" : word, "Brush/Paints"))
         }
       />
       <Button

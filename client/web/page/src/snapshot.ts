@@ -180,7 +180,6 @@ export interface SliderWidget extends UsableWidget {
   low: number;
   high: number;
   scale: "linear" | "logarithmic" | "beta";
-  /** Else three digits. */
   /** Of the number; 0: two decimals. */
   digits: number;
   untitled?: boolean;
