@@ -14,8 +14,8 @@ class SnapshotOfThePage : public FrontService {
     std::ofstream(file) << "import type { Snapshot } from \"" SOURCE_ROOT
                            "/client/web/page/src/snapshot\";\nexport const shown: Snapshot = "
                         << snapshot_ << ";\n";
-    Process tsc({"node", SOURCE_ROOT "/node_modules/typescript/bin/tsc", "--noEmit", "--strict",
-                 "--module", "esnext", "--moduleResolution", "bundler", file},
+    Process tsc({"/usr/bin/env", "node", SOURCE_ROOT "/node_modules/typescript/bin/tsc", "--noEmit",
+                 "--strict", "--module", "esnext", "--moduleResolution", "bundler", file},
                 server_.folder / "complaints");
     const auto code = tsc.wait(kPatience);
     return code == 0 ? "" : "tsc says: " + tsc.output();

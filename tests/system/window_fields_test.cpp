@@ -9,7 +9,7 @@
 namespace burnish {
 namespace {
 
-constexpr int kBetaFieldX = 238, kStrengthFieldX = 238, kStrengthY = 565;
+constexpr int kBetaFieldX = 238;
 constexpr int kReplaceX = 432, kReplaceY = 443;
 
 class FieldWindow : public WindowTest {
@@ -36,7 +36,7 @@ TEST_F(FieldWindow, TakesADecimalCommaAndRefusesWhatIsNotANumber) {
 
 TEST_F(FieldWindow, TakesTheTextWhenTheUserGoesToTheSurface) {
   open_window();
-  click(kStrengthFieldX, kStrengthY);
+  click_on("Brush/Strength as a number");
   screen_->type("0,25");
   screen_->drag(kPictureX - 60, kPictureY, kPictureX + 60, kPictureY);
   newest_of(1);
