@@ -54,8 +54,8 @@ struct SharedLibrary {
 
 /// The library of scans on disk. A scan's folder appears complete, by one rename, or not at all.
 /// Prepared files can always be rebuilt from the original. With a shared library it lists the scans
-/// of all servers, and fetches an original when it is needed for the first time. What prepares a
-/// scan waits in line with other users; `user` says whose place it takes. Thread-safe.
+/// of all servers, and fetches an original when it is needed for the first time. A call
+/// that prepares a scan waits in line with other users, in the place of its `user`. Thread-safe.
 class MeshStore {
  public:
   /// Reads the library. Needs: `folder` outlives the store. Fails: as errno says.

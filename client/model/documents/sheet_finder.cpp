@@ -26,7 +26,7 @@ void SheetFinder::start() {
   });
 }
 
-// What was found before its cancel was heard is newer than what is shown.
+// Sheets that were found before their cancel was heard are newer than those shown.
 void SheetFinder::end(const Result<SheetsDescription>& found) {
   const bool is_outdated = std::exchange(outdated_, nullptr)->load();
   if (is_outdated) start();

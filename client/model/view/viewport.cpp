@@ -146,7 +146,7 @@ void Viewport::release(PointerButton button) {
   gesture_ = Gesture::kIdle;
 }
 
-// What is under the pointer, and its gestures.
+// The pointer, what is under it, and its gestures.
 
 void Viewport::wheel(const Vector2d& pixel, double steps) {
   ZoomPlace place{pixel};

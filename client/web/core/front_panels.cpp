@@ -1,4 +1,4 @@
-// What the user does with a widget of a panel: `panel preview|commit VALUE PANEL/WIDGET`.
+// Lines that use a widget of a panel: `panel preview|commit VALUE PANEL/WIDGET`.
 
 #include <algorithm>
 #include <cmath>

@@ -21,7 +21,7 @@ struct Thing {
 };
 BURNISH_RECORD(Thing, name, key, marks)
 
-/// What protobuf makes of a message with the fields of Thing.
+/// A message with the fields of Thing, as protobuf makes it.
 class ThingMessage {
  public:
   const std::string& name() const { return name_; }
