@@ -25,9 +25,10 @@ SolverOptions in_shards(int count) {
 }
 
 std::map<std::string, TriangleMesh> meshes_for_shards() {
-  std::map<std::string, TriangleMesh> meshes = {{"crossing spheres", crossing_spheres()},
-                                                {"crumbs", reference::crumbs_over_a_sphere()},
-                                                {"pieces", separate_pieces_and_a_tablet()}};
+  std::map<std::string, TriangleMesh> meshes = {
+      {"crossing spheres", crossing_spheres()},
+      {"small components", reference::small_components_over_a_sphere()},
+      {"pieces", separate_pieces_and_a_tablet()}};
   meshes["tablet"] = generate_scan({.kind = "tablet", .vertices = 20000}).value();
   return meshes;
 }
@@ -58,7 +59,7 @@ TEST_F(OnADevice, InShardsEditAfterEditEndsWhereTheWholeDoes) {
 }
 
 TEST_F(OnADevice, InShardsTwoRunsGiveTheSameBits) {
-  const TriangleMesh mesh = reference::crumbs_over_a_sphere();
+  const TriangleMesh mesh = reference::small_components_over_a_sphere();
   for (const int shards : {2, 3, 4}) {
     const auto run = [&] {
       Filtered filtered(mesh, 6, in_shards(shards));

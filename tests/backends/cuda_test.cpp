@@ -77,10 +77,10 @@ TEST_F(OnADevice, TwoRunsGiveTheSameBits) {
     EXPECT_EQ(run(smoother), run(smoother)) << name_of(smoother);
 }
 
-constexpr int kDepthWithWeakParts = 5;  // the crumbs' depth
+constexpr int kDepthWithWeakParts = 5;  // the small components' depth
 
 TEST_F(OnADevice, TwoRunsWithSheetsApartGiveTheSameBits) {
-  const TriangleMesh mesh = reference::crumbs_over_a_sphere();
+  const TriangleMesh mesh = reference::small_components_over_a_sphere();
   const auto run = [&](int depth) {
     Filtered filtered(mesh, depth, {.backend = BackendKind::kCuda});
     auto& edited = filtered.alpha(20).beta(0.3);
@@ -110,8 +110,9 @@ double between_cpu_and_cuda(const TriangleMesh& mesh, Smoother smoother, int cyc
 // They differ by rounding. Schwarz also differs by the start of the estimate of λmax. Except at
 // weak parts, the finest depth's blocks also have another regularisation.
 TEST_F(OnADevice, FollowsTheCpuCycleByCycle) {
-  std::map<std::string, TriangleMesh> meshes = {{"crossing spheres", crossing_spheres()},
-                                                {"crumbs", reference::crumbs_over_a_sphere()}};
+  std::map<std::string, TriangleMesh> meshes = {
+      {"crossing spheres", crossing_spheres()},
+      {"small components", reference::small_components_over_a_sphere()}};
   for (const char* kind : {"tablet", "sheets", "blob"})
     meshes[kind] = generate_scan({.kind = kind, .vertices = 20000}).value();
   for (const auto& [name, mesh] : meshes)
@@ -126,7 +127,7 @@ TriangleMesh torn_wall() {
   return generate_scan({.kind = "wall", .vertices = 10'000}).value();
 }
 
-// Its coarse depths have ties, and its crumbs follow it there.
+// Its coarse depths have ties, and its small components follow it there.
 TEST_F(OnADevice, ATornWallEndsWhereTheCpuDoes) {
   const TriangleMesh mesh = torn_wall();
   const auto edited = [&](BackendKind backend) {
@@ -151,9 +152,10 @@ TEST(SheetsApart, OfATornWallHaveAllThatSlotsCannotSay) {
   EXPECT_FALSE(hierarchy->depths.front().ties.empty());
 }
 
-TEST(SheetsApart, OfCrumbsHaveWeakPartsAtOneDepth) {
+TEST(SheetsApart, OfSmallComponentsHaveWeakPartsAtOneDepth) {
   for (const int depth : {kDepthWithWeakParts, 6}) {
-    const auto prepared = prepare(reference::crumbs_over_a_sphere(), {.depth = depth}).value();
+    const auto prepared =
+        prepare(reference::small_components_over_a_sphere(), {.depth = depth}).value();
     EXPECT_EQ(make_multigrid(prepared).value().plan->has_weak_parts(depth),
               depth == kDepthWithWeakParts);
   }

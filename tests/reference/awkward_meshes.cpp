@@ -152,11 +152,11 @@ TriangleMesh several_components() {
   return joined(mesh, {{{-1.5, 0, 0}, {-1.4, 0.1, 0}, {-1.5, 0.1, 0.1}}, {{0, 1, 2}}});
 }
 
-TriangleMesh crumbs_over_a_sphere() {
-  constexpr int kCrumbs = 60;
+TriangleMesh small_components_over_a_sphere() {
+  constexpr int kComponents = 60;
   TriangleMesh mesh = bumpy_sphere(4);
-  for (int i = 0; i < kCrumbs; ++i) {
-    const double height = 2 * (i + 0.5) / kCrumbs - 1, turn = 2.4 * i;
+  for (int i = 0; i < kComponents; ++i) {
+    const double height = 2 * (i + 0.5) / kComponents - 1, turn = 2.4 * i;
     const double across = std::sqrt(1 - height * height), radius = 1.2 + 0.001 * i;
     const Vec3d at = radius * Vec3d(across * std::cos(turn), across * std::sin(turn), height);
     mesh = joined(std::move(mesh),
@@ -207,7 +207,7 @@ std::vector<std::pair<std::string, TriangleMesh>> awkward_meshes() {
           {"faces in grid planes", stepped_block(1)},
           {"zero-area triangles and unreferenced vertices", sphere_with_debris(4)},
           {"several components", several_components()},
-          {"crumbs", crumbs_over_a_sphere()},
+          {"small components", small_components_over_a_sphere()},
           {"spikes", spiked_sphere()},
           {"far from the origin", mapped(bumpy_sphere(4), far_away)}};
 }

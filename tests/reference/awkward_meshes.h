@@ -40,11 +40,12 @@ TriangleMesh sphere_with_debris(int level);
 /// Closed, open and tiny parts: spheres of three sizes and orientations, and a loose triangle.
 TriangleMesh several_components();
 
-/// Crumbs that float up to a cell and a half of depth 5 above a sphere, which shrinks beneath them.
-TriangleMesh crumbs_over_a_sphere();
+/// Small components that float up to a cell and a half of depth 5 above a sphere, which shrinks
+/// beneath them.
+TriangleMesh small_components_over_a_sphere();
 
-/// Flat crumbs of at most half a cell of depth 5, ten times as long as wide and as wide as thick.
-/// Some share a corner or two of their cells with the sphere's.
+/// Flat small components of at most half a cell of depth 5, ten times as long as wide and as wide
+/// as thick. Some share a corner or two of their cells with the sphere's.
 TriangleMesh shards_over_a_sphere();
 
 /// A sphere with a hundred spikes of one vertex each, eight cells of depth 5 high. They taper to

@@ -10,8 +10,8 @@ namespace burnish {
 namespace {
 
 // In units of meshoptimizer's error. On all levels of five scans 99 of 100 vertices of the scan
-// itself lie within this of the simplified surface, and on most levels 999 of 1,000 do. Crumbs that
-// vanish were farther away.
+// itself lie within this of the simplified surface, and on most levels 999 of 1,000 do. Small
+// components that vanish were farther away.
 constexpr float kErrorFactor = 1.5f;
 
 /// Holds a page as one thread makes it.

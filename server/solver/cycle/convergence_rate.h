@@ -16,8 +16,8 @@ struct StepSize {
 /// is ρ times as long as the one before, all later steps add up to ρ/(1 − ρ) times the last one.
 ///
 /// Two ratios estimate ρ, and the larger one counts: of the lengths, which rise and fall, and of
-/// rᵀz, which hardly depends on a crumb's few vertices. ρ never becomes small, because the first
-/// steps do what is easy. ρ falls slowly, because slow parts show up only now and then.
+/// rᵀz, which hardly depends on a small component's few vertices. ρ never becomes small, because
+/// the first steps do what is easy. ρ falls slowly, because slow parts show up only now and then.
 class ConvergenceRate {
  public:
   void restart() { *this = {}; }

@@ -11,7 +11,7 @@ namespace burnish {
 /// Prolongation P and restriction Pᵀ between a depth and the one above (coarser); trilinear.
 struct DepthTransfer {
   /// Corners of the finest depth in which several sheets meet. Each is the mean of the values from
-  /// its sheets' cells, weighed by their energy. Corners of crumbs alone have no value.
+  /// its sheets' cells, weighed by their energy. Corners of small components alone have no value.
   struct SharedCorners {
     std::vector<int32_t> corner;         ///< rising
     std::vector<int32_t> start;          ///< corners + 1

@@ -5,8 +5,8 @@
 #include "common/base/resize_touched.h"
 #include "common/base/select_numbers.h"
 #include "server/solver/hierarchy/coarse_grid.h"
-#include "server/solver/hierarchy/sheets/crumbs.h"
 #include "server/solver/hierarchy/sheets/sheet_corners.h"
+#include "server/solver/hierarchy/sheets/small_components.h"
 
 namespace burnish {
 
@@ -49,18 +49,18 @@ uint8_t nearest_place(const GridKey& cell, const GridKey& corner) {
   return static_cast<uint8_t>(at.x() + 3 * at.y() + 9 * at.z());
 }
 
-// Returns the coarse grid of all sheets but those of crumbs. These have no parent: each takes its
-// values from the cell at its anchor.
+// Returns the coarse grid of all sheets but those of small components. These have no parent: each
+// takes its values from the cell at its anchor.
 CoarseGrid keep_sheets_apart(const SparseGrid& finest, const SheetCorners& sheets,
-                             std::span<const Crumb> crumbs) {
-  if (crumbs.empty())
+                             std::span<const SmallComponent> components) {
+  if (components.empty())
     return keep_sheets_apart(finest.depth - 1, sheets.cell, sheets.corners, sheets.copy_count);
-  std::vector<char> is_of_crumb(sheets.copy_count);
-  for (const Crumb& crumb : crumbs)
-    for (const int32_t copy : crumb.copies) is_of_crumb[copy] = 1;
+  std::vector<char> is_of_small_component(sheets.copy_count);
+  for (const SmallComponent& component : components)
+    for (const int32_t copy : component.copies) is_of_small_component[copy] = 1;
   const std::vector<int32_t> kept =
       select_numbers(static_cast<int32_t>(sheets.cell.size()),
-                     [&](int32_t s) { return is_of_crumb[sheets.corners[s][0]] == 0; });
+                     [&](int32_t s) { return is_of_small_component[sheets.corners[s][0]] == 0; });
   CoarseGrid coarse = keep_sheets_apart(
       finest.depth - 1, gather<GridKey>(sheets.cell, kept),
       gather<std::array<int32_t, kCornersPerCell>>(sheets.corners, kept), sheets.copy_count);
@@ -68,20 +68,20 @@ CoarseGrid keep_sheets_apart(const SparseGrid& finest, const SheetCorners& sheet
 #pragma omp parallel for schedule(static)
   for (size_t i = 0; i < kept.size(); ++i) parents[kept[i]] = coarse.parent_cell[i];
   coarse.parent_cell = std::move(parents);
-  const std::vector<int32_t> anchors = find_anchors(crumbs, sheets);
-  for (size_t i = 0; i < crumbs.size(); ++i) {
+  const std::vector<int32_t> anchors = find_anchors(components, sheets);
+  for (size_t i = 0; i < components.size(); ++i) {
     if (anchors[i] == kNone) continue;
     const int32_t cell = coarse.from[anchors[i]].cell;
-    for (size_t k = 0; k < crumbs[i].copies.size(); ++k)
-      coarse.from[crumbs[i].copies[k]] = {
-          cell, nearest_place(coarse.grid.cells[cell], finest.corners[crumbs[i].corners[k]])};
+    for (size_t k = 0; k < components[i].copies.size(); ++k)
+      coarse.from[components[i].copies[k]] = {
+          cell, nearest_place(coarse.grid.cells[cell], finest.corners[components[i].corners[k]])};
   }
   return coarse;
 }
 
 HierarchyDepth make_parents_of_finest(HierarchyDepth& finest, const SheetCorners& sheets,
-                                      std::span<const Crumb> crumbs) {
-  CoarseGrid coarse = keep_sheets_apart(finest.grid, sheets, crumbs);
+                                      std::span<const SmallComponent> components) {
+  CoarseGrid coarse = keep_sheets_apart(finest.grid, sheets, components);
   finest.to_parent = make_transfer(coarse, sheets, finest.grid.corner_count());
   TiesAndShares numbers = share_cells(finest.grid, sheets, coarse);
   std::vector<int32_t> parent_of_sheet = std::move(coarse.parent_cell);
@@ -113,11 +113,11 @@ std::vector<HierarchyDepth> joined_depths(SparseGrid finest) {
 }
 
 std::vector<HierarchyDepth> depths_apart(SparseGrid finest, SheetCorners sheets,
-                                         std::span<const Crumb> crumbs) {
+                                         std::span<const SmallComponent> components) {
   std::vector<HierarchyDepth> depths(1);
   depths[0].grid = std::move(finest);
   if (is_coarsest(depths[0].grid)) return depths;
-  depths.push_back(make_parents_of_finest(depths[0], sheets, crumbs));
+  depths.push_back(make_parents_of_finest(depths[0], sheets, components));
   sheets = {};  // it is as large as the finest grid
   while (!is_coarsest(depths.back().grid)) depths.push_back(make_parents_apart(depths.back()));
   return depths;
@@ -137,17 +137,17 @@ bool has_endless_rows(const HierarchyDepth& depth) {
   });
 }
 
-// Makes patches on crumbs. Returns the crumbs that need no coarse cells beside it.
-std::vector<Crumb> crumbs_with_patches(const SparseGrid& finest, const SheetCorners& sheets,
-                                       Patches& patches) {
-  std::vector<Crumb> found = find_crumbs(finest, sheets), crumbs;
+// Makes patches on small components. Returns those that need no coarse cells beside them.
+std::vector<SmallComponent> components_with_patches(const SparseGrid& finest,
+                                                    const SheetCorners& sheets, Patches& patches) {
+  std::vector<SmallComponent> found = find_small_components(finest, sheets), components;
   std::vector<std::vector<int32_t>> sets;
-  for (const Crumb& crumb : found) sets.push_back(crumb.patch);
+  for (const SmallComponent& component : found) sets.push_back(component.patch);
   std::vector<char> was_left_out;
   patches = make_patches(finest, sets, &was_left_out);
   for (size_t i = 0; i < found.size(); ++i)
-    if (!was_left_out[i] && !found[i].needs_coarse_cells) crumbs.push_back(std::move(found[i]));
-  return crumbs;
+    if (!was_left_out[i] && !found[i].needs_coarse_cells) components.push_back(std::move(found[i]));
+  return components;
 }
 
 std::vector<HierarchyDepth> make_depths(const PreparedMesh& prepared, Sheets sheets,
@@ -159,8 +159,9 @@ std::vector<HierarchyDepth> make_depths(const PreparedMesh& prepared, Sheets she
     corners = one_sheet_per_cell(finest);
     return depths_apart(std::move(finest), std::move(corners), {});
   }
-  const std::vector<Crumb> crumbs = crumbs_with_patches(finest, corners, patches);
-  std::vector<HierarchyDepth> depths = depths_apart(std::move(finest), std::move(corners), crumbs);
+  const std::vector<SmallComponent> components = components_with_patches(finest, corners, patches);
+  std::vector<HierarchyDepth> depths =
+      depths_apart(std::move(finest), std::move(corners), components);
   depths[0].sheet_count = static_cast<int32_t>(prepared.sheets.size());
   return depths;
 }
@@ -205,8 +206,8 @@ Result<std::shared_ptr<const Hierarchy>> make_hierarchy(const PreparedMesh& prep
   };
   static const char kCancelled[] = "cancelled while connecting cells";
   if (!goes_on(0)) return cancelled(kCancelled);
-  Patches crumbs;
-  std::vector<HierarchyDepth> from_finest = make_depths(prepared, sheets, crumbs);
+  Patches components;
+  std::vector<HierarchyDepth> from_finest = make_depths(prepared, sheets, components);
   for (HierarchyDepth& depth : from_finest) {
     if (!goes_on(0.5)) return cancelled(kCancelled);
     add_stencil(depth);
@@ -219,13 +220,13 @@ Result<std::shared_ptr<const Hierarchy>> make_hierarchy(const PreparedMesh& prep
   hierarchy->finest = prepared.frame.depth;
   hierarchy->depths.assign(std::make_move_iterator(from_finest.rbegin()),
                            std::make_move_iterator(from_finest.rend()));
-  hierarchy->crumbs = std::move(crumbs);
+  hierarchy->small_components = std::move(components);
   hierarchy->points = sort_by_cell(prepared.evaluation, hierarchy->depths.back().grid.cell_count());
   return std::shared_ptr<const Hierarchy>(std::move(hierarchy));
 }
 
 uint64_t Hierarchy::byte_count() const {
-  uint64_t bytes = points.byte_count() + crumbs.byte_count();
+  uint64_t bytes = points.byte_count() + small_components.byte_count();
   for (const HierarchyDepth& depth : depths)
     bytes += bytes_of(depth.grid) + bytes_of(depth.stencil) + bytes_of(depth.to_parent) +
              bytes_of(depth.shares) + depth.children.byte_count() +

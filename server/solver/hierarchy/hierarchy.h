@@ -26,7 +26,8 @@ struct HierarchyDepth {
   int32_t sheet_count = 0;           ///< PreparedMesh::sheets in use; 0 at coarse depths
   DepthTransfer to_parent;           ///< empty at the coarsest depth
   std::vector<int32_t> parent_cell;  ///< one per cell; empty at the coarsest depth. kNone in a
-                                     ///< crumb, and in a shard for a parent that the shard has not
+                                     ///< small component, and in a shard for a parent that the
+                                     ///< shard has not
   // The sources of the numbers of cells and ties; empty at the finest depth.
   Groups<int32_t> children;  ///< cells of the finer depth for each cell, at most eight, each in its
                              ///< octant; only that octant restricts its numbers
@@ -53,17 +54,17 @@ struct Hierarchy {
   int finest = 0;
   std::vector<HierarchyDepth> depths;  ///< depths[d - coarsest]
   PointsByCell points;                 ///< the vertices, by cells of the finest depth
-  /// The crumbs of the finest depth that no coarse depth knows. The cycle must solve them as a
-  /// whole. If each had coarse corners of its own, hundreds of crumbs would make the direct solve
-  /// of the coarsest depth the longest part of a new metric.
-  Patches crumbs;
+  /// The small components of the finest depth that no coarse depth knows. The cycle must solve them
+  /// as a whole. If each had coarse corners of its own, hundreds of small components would make the
+  /// direct solve of the coarsest depth the longest part of a new metric.
+  Patches small_components;
 
   const HierarchyDepth& at(int depth) const { return depths[depth - coarsest]; }
   uint64_t byte_count() const;
 };
 
 /// The coarsest depth is the deepest one with at most this many corners, or kCoarsestDepthMin.
-/// Every separate piece of surface but crumbs keeps eight corners at any depth.
+/// Every separate piece of surface but small components keeps eight corners at any depth.
 inline constexpr int32_t kCoarsestCornersMax = 600;
 inline constexpr int kCoarsestDepthMin = 2;
 

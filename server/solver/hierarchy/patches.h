@@ -12,7 +12,7 @@ namespace burnish {
 inline constexpr int kPatchCornersMax = 120;
 
 /// Small parts of the finest depth that are relaxed as a whole. The smoother's cells and the coarse
-/// functions are slow there. sheets/crumbs.h and tuning/slow_spots.h find them.
+/// functions are slow there. sheets/small_components.h and tuning/slow_spots.h find them.
 ///
 /// Patches of one colour have no cell in common, so none reads what another writes.
 struct Patches {

@@ -179,7 +179,7 @@ Status check_and_complete(Hierarchy& hierarchy, const CyclePlan& plan,
     RETURN_IF_ERROR(check_between(hierarchy.depths[i], hierarchy.depths[i - 1]));
   RETURN_IF_ERROR(check_ends(hierarchy));
   RETURN_IF_ERROR(check_finest(hierarchy, prepared));
-  RETURN_IF_ERROR(check_patches(hierarchy.crumbs, hierarchy.depths.back().grid));
+  RETURN_IF_ERROR(check_patches(hierarchy.small_components, hierarchy.depths.back().grid));
   return check_patches(plan.patches, hierarchy.depths.back().grid);
 }
 

@@ -110,7 +110,7 @@ void visit_arrays(H& hierarchy, Plan& plan, Visit&& visit) {
   for (auto& depth : hierarchy.depths) visit_depth_arrays(depth, visit);
   visit("starts of points", hierarchy.points.start);
   visit("points", hierarchy.points.item);
-  visit_patch_arrays(hierarchy.crumbs, visit);
+  visit_patch_arrays(hierarchy.small_components, visit);
   visit_patch_arrays(plan.patches, visit);
 }
 

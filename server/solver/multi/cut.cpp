@@ -39,7 +39,8 @@ std::vector<uint8_t> cut_border(const std::vector<int64_t>& weight, int shards) 
   return owner;
 }
 
-// A crumb's cell has no parent. It goes with the coarse cell that its first corners follow.
+// A small component's cell has no parent. It goes with the coarse cell that its first corners
+// follow.
 uint8_t owner_of_cell(const HierarchyDepth& depth, size_t cell,
                       const std::vector<uint8_t>& of_parents) {
   if (depth.parent_cell[cell] != kNone) return of_parents[depth.parent_cell[cell]];

@@ -33,9 +33,9 @@ struct Cut {
 int border_depth(const Hierarchy& hierarchy, int32_t whole_corners_max = kWholeCornersMax);
 
 /// Cuts the border depth's cells into runs of as many finest cells each; a finer cell goes with its
-/// parent, a crumb's with the coarse cell that it follows. The lowest shard that touches a corner
-/// owns it. Patches that have a cell in common go to one shard with all their corners. So shards
-/// solve them without each other.
+/// parent, a small component's with the coarse cell that it follows. The lowest shard that touches
+/// a corner owns it. Patches that have a cell in common go to one shard with all their corners. So
+/// shards solve them without each other.
 Cut cut_hierarchy(const Hierarchy& hierarchy, const Patches& patches, int shards, int border);
 
 }  // namespace burnish

@@ -62,7 +62,7 @@ Result<std::shared_ptr<const CyclePlan>> plan_cycle(
     const std::shared_ptr<const PreparedMesh>& prepared,
     const std::shared_ptr<const Hierarchy>& hierarchy, const Progress& progress) {
   const auto plan = std::make_shared<CyclePlan>();
-  plan->patches = hierarchy->crumbs;
+  plan->patches = hierarchy->small_components;
   plan->has_flat_parts = has_flat_parts(*prepared);
   if (const auto weak = first_weak_depth(*hierarchy)) {
     plan->first_weak_depth = *weak;

@@ -8,8 +8,8 @@ namespace burnish {
 /// scan, such as between the two sides of a thin wall or in overlapping range scans. There the
 /// depths next to the finest are corrected twice (vcycle.h). If trials are still slow, the finest
 /// depth gets patches (slow_spots.h). A small scan gets patches with fewer such places, because its
-/// trials cost little. Any scan gets patches on its crumbs (crumbs.h). Cost: up to three trials.
-/// Fails: cancelled.
+/// trials cost little. Any scan gets patches on its small components (small_components.h). Cost: up
+/// to three trials. Fails: cancelled.
 Result<std::shared_ptr<const CyclePlan>> plan_cycle(
     const std::shared_ptr<const PreparedMesh>& prepared,
     const std::shared_ptr<const Hierarchy>& hierarchy, const Progress& progress = {});

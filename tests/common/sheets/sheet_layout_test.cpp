@@ -60,9 +60,9 @@ TEST(SheetLayout, WhatDoesNotFitIsRefused) {
   EXPECT_TRUE(lay_out_sheet(std::vector<TexelSize>(4, {512, 512})).has_value());
 }
 
-TEST(SheetLayout, ThousandsOfCrumbsFit) {
-  const std::vector<TexelSize> crumbs(4096, {9, 9});
-  EXPECT_GT(filled_part(lay_out_sheet(crumbs).value(), crumbs), 0.95);
+TEST(SheetLayout, ThousandsOfSmallChartsFit) {
+  const std::vector<TexelSize> charts(4096, {9, 9});
+  EXPECT_GT(filled_part(lay_out_sheet(charts).value(), charts), 0.95);
 }
 
 TEST(SheetLayout, TheGutterLiesAroundEachChart) {

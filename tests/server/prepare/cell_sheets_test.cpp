@@ -17,8 +17,8 @@ std::shared_ptr<const PreparedMesh> prepared_at(const TriangleMesh& mesh, int de
   return *prepare(mesh, options);
 }
 
-// A sphere, and a crumb that lies partly in the sphere's cells.
-TriangleMesh sphere_with_a_crumb() {
+// A sphere, and a small component that lies partly in the sphere's cells.
+TriangleMesh sphere_with_a_small_component() {
   const TriangleMesh sphere = reference::bumpy_sphere(4);
   const auto beside = [&](Vec3d p) { return Vec3d(1.05 * sphere.vertices[0] + 0.03 * p); };
   return reference::joined(sphere, reference::mapped(reference::bumpy_sphere(1), beside));
@@ -34,8 +34,8 @@ TEST(CellSheets, ASoupHasNone) {
   EXPECT_TRUE(soup->sheets.empty());
 }
 
-TEST(CellSheets, ACrumbAndWhatItFloatsOverHaveOneEachInTheCellsThatTheyShare) {
-  const TriangleMesh mesh = sphere_with_a_crumb();
+TEST(CellSheets, ASmallComponentAndWhatItFloatsOverHaveOneEachInTheCellsThatTheyShare) {
+  const TriangleMesh mesh = sphere_with_a_small_component();
   const auto prepared = prepared_at(mesh, 5);
   const std::vector<int32_t> roots = component_roots(mesh.triangles, mesh.vertices.size());
   std::set<std::pair<int32_t, uint32_t>> listed;
@@ -44,14 +44,14 @@ TEST(CellSheets, ACrumbAndWhatItFloatsOverHaveOneEachInTheCellsThatTheyShare) {
   ASSERT_GE(listed.size(), 2u);
   EXPECT_EQ(listed.size() % 2, 0u);
   for (const auto& [cell, component] : listed) {
-    const auto crumb = static_cast<uint32_t>(roots.back());
-    EXPECT_TRUE(component == 0 || component == crumb);
-    EXPECT_TRUE(listed.contains({cell, component == 0 ? crumb : 0}));
+    const auto small = static_cast<uint32_t>(roots.back());
+    EXPECT_TRUE(component == 0 || component == small);
+    EXPECT_TRUE(listed.contains({cell, component == 0 ? small : 0}));
   }
 }
 
 TEST(CellSheets, TheirIntegralsAddUpToTheCells) {
-  const auto prepared = prepared_at(sphere_with_a_crumb(), 5);
+  const auto prepared = prepared_at(sphere_with_a_small_component(), 5);
   ASSERT_FALSE(prepared->sheets.empty());
   for (size_t s = 0; s < prepared->sheets.size(); s += 2) {
     const CellIntegrals &first = prepared->sheet_integrals[s],
@@ -67,7 +67,7 @@ TEST(CellSheets, TheirIntegralsAddUpToTheCells) {
 }
 
 TEST(CellSheets, TheirPassagesAreTheirCells) {
-  const auto prepared = prepared_at(sphere_with_a_crumb(), 5);
+  const auto prepared = prepared_at(sphere_with_a_small_component(), 5);
   ASSERT_FALSE(prepared->sheets.empty());
   for (size_t s = 0; s < prepared->sheets.size(); s += 2)
     EXPECT_EQ(prepared->sheets[s].passages | prepared->sheets[s + 1].passages,

@@ -17,7 +17,7 @@ class HierarchyBytes {
     HierarchyBytes bytes;
     for (const HierarchyDepth& depth : hierarchy.depths) bytes.add(depth);
     bytes.add(hierarchy.coarsest, hierarchy.finest, hierarchy.points.start, hierarchy.points.item,
-              hierarchy.crumbs);
+              hierarchy.small_components);
     return std::move(bytes.bytes_);
   }
 

@@ -311,8 +311,8 @@ TEST(Solver, ANewMetricIsNearItsEndAfterOneStep) {
   EXPECT_LT(distance.max, 1e-4);
 }
 
-TEST(Solver, CrumbsConvergeFasterWhenTheyAreKeptApart) {
-  TestSystem system(reference::crumbs_over_a_sphere(), 5);
+TEST(Solver, SmallComponentsConvergeFasterWhenTheyAreKeptApart) {
+  TestSystem system(reference::small_components_over_a_sphere(), 5);
   system.fields.set_transfer_curve(TransferCurve(2));
   system.fields.set_gradient_scale(0);
   TestSystem together = system;
@@ -325,8 +325,8 @@ TEST(Solver, CrumbsConvergeFasterWhenTheyAreKeptApart) {
 }
 
 // Without their patches they are seven times as far off.
-TEST(Solver, CrumbsThatHangOnASurfaceFollowItInThreeSteps) {
-  TestSystem system(reference::crumbs_over_a_sphere(), 6);
+TEST(Solver, SmallComponentsThatHangOnASurfaceFollowItInThreeSteps) {
+  TestSystem system(reference::small_components_over_a_sphere(), 6);
   system.fields.set_transfer_curve(TransferCurve(5));
   system.fields.set_gradient_scale(0);
   const auto solver = solver_of(system);

@@ -12,10 +12,10 @@
 namespace burnish::cpu {
 
 // Added to the unit diagonal of the scaled blocks. At the finest depth it is as small as float32
-// allows, whose rounding is a tenth of it. The block of a thin crumb that hangs by two corners has
-// its least eigenvalue far below, so the addition hides the crumb from the smoother. At coarser
-// depths less than 1e-3 would show the cycle more such functions than it can resolve: skins would
-// converge more slowly.
+// allows, whose rounding is a tenth of it. The block of a thin small component that hangs by two
+// corners has its least eigenvalue far below, so the addition hides the small component from the
+// smoother. At coarser depths less than 1e-3 would show the cycle more such functions than it can
+// resolve: skins would converge more slowly.
 static constexpr float kFinestRegularisation = 1e-5f;
 static constexpr float kCoarseRegularisation = 1e-3f;
 static constexpr float kCarefulRegularisation = 1;

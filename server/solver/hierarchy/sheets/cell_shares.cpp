@@ -146,10 +146,10 @@ Parts parts_of(int32_t sheet, int32_t cell, const SparseGrid& finest, const Shee
                const CoarseGrid& coarse) {
   Parts parts(coarse);
   for (int a = 0; a < kCornersPerCell; ++a) {
-    const bool is_of_crumb = coarse.parent_cell[sheet] == kNone;
-    const FromCell own =
-        is_of_crumb ? coarse.from[sheets.corners[sheet][a]]
-                    : FromCell{coarse.parent_cell[sheet], place_in_parent(sheets.cell[sheet], a)};
+    const bool is_of_small_component = coarse.parent_cell[sheet] == kNone;
+    const FromCell own = is_of_small_component ? coarse.from[sheets.corners[sheet][a]]
+                                               : FromCell{coarse.parent_cell[sheet],
+                                                          place_in_parent(sheets.cell[sheet], a)};
     if (own.cell == kNone) continue;
     const int64_t shared = find_shared(sheets, finest.cell_corners[cell][a]);
     if (shared < 0) {

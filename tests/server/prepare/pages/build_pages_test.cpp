@@ -305,7 +305,7 @@ struct Trouble {
 TEST_F(BuildPages, TroublesomeScansReachOnePageToo) {
   const Trouble troubles[] = {
       {"loose triangles", loose_triangles(20'000), 0},
-      {"crumbs", crumbs(5'000), 0},
+      {"small components", small_components(5'000), 0},
       {"duplicates", with_duplicates(scan_of_kind("blob", 20'000)), 0},
       {"overlapping unshared triangles", scan_of_kind("soup", 60'000), 0},
       {"tangle", tangle(400, 30'000), 1000},

@@ -43,9 +43,9 @@ INSTANTIATE_TEST_SUITE_P(OfEveryKind, LegalCuts,
                                          "sheets", "fan", "soup", "part"),
                          [](const auto& instance) { return std::string(instance.param); });
 
-TEST(LegalCuts, OfDuplicatesAndCrumbsHaveNoCracks) {
+TEST(LegalCuts, OfDuplicatesAndSmallComponentsHaveNoCracks) {
   EXPECT_EQ(cracks_of_random_cuts(pages_of(with_duplicates(scan_of_kind("blob", 20'000)))), 0u);
-  EXPECT_EQ(cracks_of_random_cuts(pages_of(crumbs(5'000))), 0u);
+  EXPECT_EQ(cracks_of_random_cuts(pages_of(small_components(5'000))), 0u);
   EXPECT_EQ(cracks_of_random_cuts(pages_of(loose_triangles(10'000))), 0u);
 }
 

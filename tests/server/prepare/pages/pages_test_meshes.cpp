@@ -51,10 +51,10 @@ TriangleMesh with_duplicates(TriangleMesh mesh) {
   return mesh;
 }
 
-TriangleMesh crumbs(uint32_t count) {
+TriangleMesh small_components(uint32_t count) {
   std::mt19937 random(1);
   TriangleMesh mesh;
-  for (uint32_t crumb = 0; crumb < count; ++crumb) {
+  for (uint32_t small_component = 0; small_component < count; ++small_component) {
     const Vec3d place = random_place(random);
     const auto first = static_cast<uint32_t>(mesh.vertices.size());
     for (int corner = 0; corner < 4; ++corner)

@@ -19,6 +19,6 @@ TriangleMesh tangle(uint32_t vertices, uint32_t triangles);
 TriangleMesh with_duplicates(TriangleMesh mesh);
 
 /// Many tetrahedra, each closed and apart from the others.
-TriangleMesh crumbs(uint32_t count);
+TriangleMesh small_components(uint32_t count);
 
 }  // namespace burnish

@@ -85,9 +85,9 @@ TEST(SimplifyPiece, ClusteringKeepsTheBorderToo) {
 }
 
 TEST(SimplifyPiece, NeverLeavesNothing) {
-  const PagePiece crumb = piece_of(crumbs(1), is_nowhere);
+  const PagePiece small_component = piece_of(small_components(1), is_nowhere);
   for (const auto by : {SimplifyBy::kCollapse, SimplifyBy::kCluster, SimplifyBy::kDrop})
-    EXPECT_GE(simplify_piece(crumb, by).triangles.size(), 1u);
+    EXPECT_GE(simplify_piece(small_component, by).triangles.size(), 1u);
 }
 
 TEST(DropSmallTriangles, KeepsTheLargestInTheirOrder) {

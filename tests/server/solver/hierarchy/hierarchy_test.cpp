@@ -57,11 +57,12 @@ class HierarchyTest : public testing::TestWithParam<Sheets> {
     for (int depth = hierarchy().finest; depth > hierarchy().coarsest; --depth)
       check(hierarchy().at(depth), hierarchy().at(depth - 1));
   }
-  /// Returns 0 for corners that follow a crumb's anchor, or nothing, and 1 for the others.
-  Eigen::VectorXd beyond_crumbs(const HierarchyDepth& fine) const {
+  /// Returns 0 for corners that follow a small component's anchor, or nothing, and 1 for the
+  /// others.
+  Eigen::VectorXd beyond_small_components(const HierarchyDepth& fine) const {
     Eigen::VectorXd is_beyond = Eigen::VectorXd::Ones(fine.grid.corner_count());
     if (fine.is_finest())
-      for (const int32_t corner : hierarchy().crumbs.corner) is_beyond[corner] = 0;
+      for (const int32_t corner : hierarchy().small_components.corner) is_beyond[corner] = 0;
     return is_beyond;
   }
 };
@@ -99,7 +100,8 @@ TEST_P(HierarchyTest, ProlongationIsAPartitionOfUnity) {
   for_each_transfer([&](const HierarchyDepth& fine, const HierarchyDepth& coarse) {
     const Sparse p = prolongation_matrix(fine, coarse);
     const Eigen::VectorXd sums = p * Eigen::VectorXd::Ones(p.cols());
-    const Eigen::VectorXd errors = (sums.array() - 1).matrix().cwiseProduct(beyond_crumbs(fine));
+    const Eigen::VectorXd errors =
+        (sums.array() - 1).matrix().cwiseProduct(beyond_small_components(fine));
     EXPECT_LT(errors.cwiseAbs().maxCoeff(), 1e-6);
   });
 }
@@ -114,7 +116,7 @@ TEST_P(HierarchyTest, ProlongationReproducesPositions) {
   for_each_transfer([&](const HierarchyDepth& fine, const HierarchyDepth& coarse) {
     const Eigen::MatrixXd prolonged = prolongation_matrix(fine, coarse) * positions(coarse.grid, 2);
     const Eigen::MatrixXd errors =
-        beyond_crumbs(fine).asDiagonal() * (prolonged - positions(fine.grid, 1));
+        beyond_small_components(fine).asDiagonal() * (prolonged - positions(fine.grid, 1));
     EXPECT_LT(errors.cwiseAbs().maxCoeff(), 1e-5);
   });
 }
@@ -147,17 +149,17 @@ TEST_P(HierarchyTest, ParentsLieAboveTheirChildren) {
   for_each_transfer([](const HierarchyDepth& fine, const HierarchyDepth& coarse) {
     for (int32_t cell = 0; cell < fine.grid.cell_count(); ++cell) {
       const int32_t parent = fine.parent_cell[cell];
-      if (parent == kNone) continue;  // in a crumb
+      if (parent == kNone) continue;  // in a small component
       ASSERT_EQ(coarse.grid.cells[parent].place, fine.grid.cells[cell].place >> 3);
     }
   });
 }
 
-TEST(Hierarchy, CrumbsHaveNoCoarseCellsAndFollowWhatTheyHangOn) {
-  const TestSystem system(reference::crumbs_over_a_sphere(), 6);
+TEST(Hierarchy, SmallComponentsHaveNoCoarseCellsAndFollowWhatTheyHangOn) {
+  const TestSystem system(reference::small_components_over_a_sphere(), 6);
   const HierarchyDepth& finest = system.hierarchy->depths.back();
-  EXPECT_GT(system.hierarchy->crumbs.count(), 20);
-  EXPECT_EQ(system.plan->patches.corner_sets(), system.hierarchy->crumbs.corner_sets());
+  EXPECT_GT(system.hierarchy->small_components.count(), 20);
+  EXPECT_EQ(system.plan->patches.corner_sets(), system.hierarchy->small_components.corner_sets());
   EXPECT_GT(std::ranges::count(finest.parent_cell, kNone), 100);
   const Sparse p = prolongation_matrix(finest, system.hierarchy->at(5));
   const Eigen::VectorXd sums = p * Eigen::VectorXd::Ones(p.cols());

@@ -13,8 +13,8 @@
 namespace burnish {
 namespace {
 
-const TestSystem& crumbs() {
-  static const TestSystem made(reference::crumbs_over_a_sphere(), 5);
+const TestSystem& small_components() {
+  static const TestSystem made(reference::small_components_over_a_sphere(), 5);
   return made;
 }
 
@@ -34,12 +34,12 @@ TEST(Patches, ASurfaceOfOnePieceHasNone) {
 }
 
 TEST(Patches, SheetsThatAreKeptTogetherHaveNone) {
-  const auto together = make_hierarchy(*crumbs().prepared, Sheets::kTogether);
-  EXPECT_EQ(plan_cycle(crumbs().prepared, together).value()->patches.count(), 0);
+  const auto together = make_hierarchy(*small_components().prepared, Sheets::kTogether);
+  EXPECT_EQ(plan_cycle(small_components().prepared, together).value()->patches.count(), 0);
 }
 
 TEST(Patches, HaveFewCornersEachOfThemOnce) {
-  const Patches& patches = crumbs().plan->patches;
+  const Patches& patches = small_components().plan->patches;
   ASSERT_GT(patches.count(), 20);
   for (int32_t patch = 0; patch < patches.count(); ++patch) {
     const std::vector<int32_t> corners = corners_of(patches, patch);
@@ -52,8 +52,8 @@ TEST(Patches, HaveFewCornersEachOfThemOnce) {
 }
 
 TEST(Patches, OfAColourShareNoCell) {
-  const HierarchyDepth& finest = finest_of(crumbs());
-  const Patches& patches = crumbs().plan->patches;
+  const HierarchyDepth& finest = finest_of(small_components());
+  const Patches& patches = small_components().plan->patches;
   ASSERT_GT(patches.colour_count(), 1);
   EXPECT_EQ(patches.colour_start.back(), patches.count());
   for (int32_t colour = 0; colour < patches.colour_count(); ++colour) {
@@ -69,7 +69,8 @@ TEST(Patches, OfAColourShareNoCell) {
 }
 
 TEST(Patches, HaveNoMoreEntriesThanTheirShareOfTheMatrix) {
-  EXPECT_LE(crumbs().plan->patches.entry_count(), 24 * finest_of(crumbs()).grid.corner_count());
+  EXPECT_LE(small_components().plan->patches.entry_count(),
+            24 * finest_of(small_components()).grid.corner_count());
 }
 
 }  // namespace

@@ -34,8 +34,8 @@ TEST(HierarchyBits, OfSheetsKeptApartAreTheSameForAnyNumberOfThreads) {
   expect_same_bits(reference::two_near_sheets(120, 0.004), 7, Sheets::kApart);
 }
 
-TEST(HierarchyBits, OfCrumbsAreTheSameForAnyNumberOfThreads) {
-  expect_same_bits(reference::crumbs_over_a_sphere(), 5, Sheets::kApart);
+TEST(HierarchyBits, OfSmallComponentsAreTheSameForAnyNumberOfThreads) {
+  expect_same_bits(reference::small_components_over_a_sphere(), 5, Sheets::kApart);
 }
 
 }  // namespace

@@ -45,9 +45,9 @@ class FileOfAHierarchy {
   Multigrid on;
 };
 
-/// Small, with sheets in one place, crumbs, ties and irregular rows.
+/// Small, with sheets in one place, small components, ties and irregular rows.
 const FileOfAHierarchy& awkward() {
-  static const FileOfAHierarchy file(reference::crumbs_over_a_sphere(), 5);
+  static const FileOfAHierarchy file(reference::small_components_over_a_sphere(), 5);
   return file;
 }
 
@@ -72,9 +72,9 @@ TEST(HierarchyFile, HasTheBitsOfASoup) {
   expect_same_bits(reference::shaken_soup(reference::bumped_sheet(40), 0.01), 6);
 }
 
-TEST(HierarchyFile, HasTheBitsOfCrumbsAndTheirPatches) {
-  EXPECT_GT(awkward().on.hierarchy->crumbs.count(), 0);
-  expect_same_bits(reference::crumbs_over_a_sphere(), 5);
+TEST(HierarchyFile, HasTheBitsOfSmallComponentsAndTheirPatches) {
+  EXPECT_GT(awkward().on.hierarchy->small_components.count(), 0);
+  expect_same_bits(reference::small_components_over_a_sphere(), 5);
   expect_same_bits(reference::sphere_with_debris(3), 6);
 }
 
@@ -83,7 +83,7 @@ TEST(HierarchyFile, HasTheBitsOfAScanOfOneDepth) {
 }
 
 TEST(HierarchyFile, OfTheSameScanHasTheSameBytesAndTheLengthThatIsForetold) {
-  const FileOfAHierarchy again(reference::crumbs_over_a_sphere(), 5);
+  const FileOfAHierarchy again(reference::small_components_over_a_sphere(), 5);
   EXPECT_TRUE(again.bytes() == awkward().bytes());
   EXPECT_EQ(again.bytes().size(), hierarchy_file_bytes(again.on));
 }

@@ -102,7 +102,7 @@ const std::map<std::string, TestSystem>& systems() {
     std::map<std::string, TestSystem> made;
     made.try_emplace("sphere", reference::bumpy_sphere(3), 5);
     made.try_emplace("open sheet", reference::bumped_sheet(20), 5);
-    made.try_emplace("crumbs", reference::crumbs_over_a_sphere(), 5);
+    made.try_emplace("small components", reference::small_components_over_a_sphere(), 5);
     made.try_emplace("components", reference::several_components(), 5);
     made.try_emplace("soup", reference::shaken_soup(reference::bumpy_sphere(3), 0.01), 5);
     made.try_emplace("tablet", generate_scan({.kind = "tablet", .vertices = 4000}).value(), 5);
@@ -146,7 +146,7 @@ TEST_P(InShards, EditAfterEditEndsWhereTheWholeDoes) {
 }
 
 TEST_P(InShards, TwoRunsGiveTheSameBits) {
-  for (const char* name : {"crumbs", "tablet"}) {
+  for (const char* name : {"small components", "tablet"}) {
     const TestSystem& on = systems().at(name);
     Edited one(on, shards()), other(on, shards());
     edit(one);
@@ -191,7 +191,7 @@ TEST_P(InShards, AStepHasTheMeasuresOfTheWhole) {
 }
 
 TEST_P(InShards, AnotherSignalThanPlacesIsSolvedToo) {
-  const TestSystem& on = systems().at("crumbs");
+  const TestSystem& on = systems().at("small components");
   std::vector<Vec3f> signal;
   for (const GridKey& corner : on.hierarchy->depths.back().grid.corners)
     signal.push_back((0.1 * morton_point(corner.place).cast<double>()).array().sin().cast<float>());
@@ -206,7 +206,7 @@ TEST_P(InShards, AnotherSignalThanPlacesIsSolvedToo) {
 
 // Every call goes on without a shard that has nothing.
 TEST(AnEmptyShard, ChangesNothing) {
-  const TestSystem& on = systems().at("crumbs");
+  const TestSystem& on = systems().at("small components");
   const auto moved = [&](const Cut& cut) {
     const auto shards = std::make_shared<const Shards>(make_shards(on, cut));
     auto steps = std::make_shared<LockStep>(cut.shards);

@@ -23,7 +23,7 @@ const std::map<std::string, TestSystem>& cut_systems() {
   static const auto all = [] {
     std::map<std::string, TestSystem> made;
     made.try_emplace("sphere", reference::bumpy_sphere(3), 5);
-    made.try_emplace("crumbs", reference::crumbs_over_a_sphere(), 5);
+    made.try_emplace("small components", reference::small_components_over_a_sphere(), 5);
     made.try_emplace("tablet", generate_scan({.kind = "tablet", .vertices = 4000}).value(), 5);
     made.try_emplace("soup", reference::shaken_soup(reference::bumpy_sphere(3), 0.01), 5);
     return made;
@@ -101,7 +101,7 @@ int32_t patches_cut_through(const Multigrid& on, const Patches& kept_whole, int 
 
 TEST(Cutting, GoesAroundPatches) {
   constexpr int kMany = 32;
-  const TestSystem& on = cut_systems().at("crumbs");
+  const TestSystem& on = cut_systems().at("small components");
   EXPECT_GT(patches_cut_through(on, {}, kMany), 0);
   EXPECT_EQ(patches_cut_through(on, on.plan->patches, kMany), 0);
   int32_t in_shards = 0;

@@ -18,7 +18,7 @@ using Vector = std::vector<Float4>;
 
 class PatchSolverTest : public testing::Test {
  protected:
-  PatchSolverTest() : system_(reference::crumbs_over_a_sphere(), 5) {
+  PatchSolverTest() : system_(reference::small_components_over_a_sphere(), 5) {
     system_.fields.set_transfer_curve(TransferCurve(5));
     depths_ = system_.assembled();
     solver_.emplace(patches());

@@ -1,4 +1,4 @@
-#include "server/solver/hierarchy/sheets/crumbs.h"
+#include "server/solver/hierarchy/sheets/small_components.h"
 
 #include <algorithm>
 #include <numeric>
@@ -34,12 +34,13 @@ SheetCorners sheets_with_a_apart(const SparseGrid& grid) {
   return sheets;
 }
 
-/// Returns the patches of all crumbs, without those whose crumb needs coarse cells if asked so.
+/// Returns the patches of all small components, without those whose small component needs coarse
+/// cells if asked so.
 std::vector<std::vector<int32_t>> patches_on(const SparseGrid& grid, const SheetCorners& sheets,
                                              bool all = true) {
   std::vector<std::vector<int32_t>> patches;
-  for (const Crumb& crumb : find_crumbs(grid, sheets))
-    if (all || !crumb.needs_coarse_cells) patches.push_back(crumb.patch);
+  for (const SmallComponent& component : find_small_components(grid, sheets))
+    if (all || !component.needs_coarse_cells) patches.push_back(component.patch);
   return patches;
 }
 
@@ -51,18 +52,18 @@ SparseGrid a_and_row(int cells) {
   return make_finest_grid(6, keys);
 }
 
-TEST(Crumbs, AreNoneWithoutCells) {
+TEST(SmallComponents, AreNoneWithoutCells) {
   EXPECT_THAT(patches_on(SparseGrid(), one_sheet_per_cell(SparseGrid())), IsEmpty());
 }
 
-TEST(Crumbs, AreNoneWhereNoCornerIsShared) {
+TEST(SmallComponents, AreNoneWhereNoCornerIsShared) {
   const SparseGrid grid = two_cells_with_a_common_corner();
   EXPECT_THAT(patches_on(grid, one_sheet_per_cell(grid)), IsEmpty());
 }
 
 // Corners of D = (1, 1, 1) and E = (2, 1, 1) in Morton order are 7 to 18. A hangs on them in corner
 // 7.
-TEST(Crumbs, ThatHangOnEachOtherAreOneAndNeedCoarseCellsWithoutALargePiece) {
+TEST(SmallComponents, ThatHangOnEachOtherAreOneAndNeedCoarseCellsWithoutALargePiece) {
   const SparseGrid grid = a_and_row(2);
   ASSERT_EQ(grid.corner_count(), 19);
   EXPECT_THAT(patches_on(grid, sheets_with_a_apart(grid)),
@@ -71,7 +72,7 @@ TEST(Crumbs, ThatHangOnEachOtherAreOneAndNeedCoarseCellsWithoutALargePiece) {
 }
 
 // Each sheet of the cell is a piece, and both have its corners.
-TEST(Crumbs, AreOneInACellOfTwoSheets) {
+TEST(SmallComponents, AreOneInACellOfTwoSheets) {
   const SparseGrid grid = grid_of(2, {{0, 0, 0}});
   SheetCorners sheets;
   sheets.first_of_cell = {0, 2};
@@ -86,24 +87,24 @@ TEST(Crumbs, AreOneInACellOfTwoSheets) {
 
 // 30 cells have 31 · 4 = 124 corners, more than a patch. D is the first of them. A hangs on it in
 // corner 7; A and D are around it.
-TEST(Crumbs, AreAPieceWithTheCellsAroundTheCornerInWhichItHangs) {
+TEST(SmallComponents, AreAPieceWithTheCellsAroundTheCornerInWhichItHangs) {
   static_assert(kPatchCornersMax == 120);
   const SparseGrid grid = a_and_row(30);
   ASSERT_EQ(grid.corner_count(), 7 + 124);
-  const auto crumbs = patches_on(grid, sheets_with_a_apart(grid));
-  ASSERT_EQ(crumbs.size(), 1u);
-  EXPECT_EQ(crumbs[0].size(), 15u);  // A and D
-  EXPECT_EQ(patches_on(grid, sheets_with_a_apart(grid), false), crumbs);
+  const auto components = patches_on(grid, sheets_with_a_apart(grid));
+  ASSERT_EQ(components.size(), 1u);
+  EXPECT_EQ(components[0].size(), 15u);  // A and D
+  EXPECT_EQ(patches_on(grid, sheets_with_a_apart(grid), false), components);
 }
 
-TEST(Crumbs, FollowTheSurfaceOnWhichTheyHang) {
+TEST(SmallComponents, FollowTheSurfaceOnWhichTheyHang) {
   const SparseGrid grid = a_and_row(30);
   const SheetCorners sheets = sheets_with_a_apart(grid);
-  EXPECT_THAT(find_anchors(find_crumbs(grid, sheets), sheets), ElementsAre(7));
+  EXPECT_THAT(find_anchors(find_small_components(grid, sheets), sheets), ElementsAre(7));
 }
 
 // The row's last cell is F; G touches neither and hangs on A.
-TEST(Crumbs, FollowTheSurfaceOnWhichTheirNeighbourHangs) {
+TEST(SmallComponents, FollowTheSurfaceOnWhichTheirNeighbourHangs) {
   const SparseGrid grid = a_and_row(30);
   SheetCorners sheets = sheets_with_a_apart(grid);
   const int32_t of_g = sheets.copy_count;
@@ -114,30 +115,30 @@ TEST(Crumbs, FollowTheSurfaceOnWhichTheirNeighbourHangs) {
   sheets.copy.insert(sheets.copy.begin(), {0, of_g});
   sheets.weight.insert(sheets.weight.begin(), {0.5f, 0.5f});
   sheets.start = {0, 2, 4};
-  const std::vector<Crumb> a_and_g = {{{0, 1, 2, 3, 4, 5, 6, grid.corner_count()}, {}, {}},
-                                      {numbers(of_g, of_g + 7), {}, {}}};
+  const std::vector<SmallComponent> a_and_g = {{{0, 1, 2, 3, 4, 5, 6, grid.corner_count()}, {}, {}},
+                                               {numbers(of_g, of_g + 7), {}, {}}};
   EXPECT_THAT(find_anchors(a_and_g, sheets), ElementsAre(7, 7));
   EXPECT_THAT(find_anchors(std::span(a_and_g).last(1), sheets), ElementsAre(0));
 }
 
-TEST(Crumbs, ThatHangOnNothingFollowNothing) {
+TEST(SmallComponents, ThatHangOnNothingFollowNothing) {
   const SparseGrid grid = a_and_row(30);
-  const std::vector<Crumb> a = {{{0, 1, 2, 3, 4, 5, 6}, {}, {}}};
+  const std::vector<SmallComponent> a = {{{0, 1, 2, 3, 4, 5, 6}, {}, {}}};
   EXPECT_THAT(find_anchors(a, one_sheet_per_cell(grid)), ElementsAre(kNone));
 }
 
 // 28 cells have 29 · 4 = 116 corners, and A would add 7: 123 are too many for a patch.
-TEST(Crumbs, APieceIsAloneWhereItsSurroundingsAreTooMany) {
+TEST(SmallComponents, APieceIsAloneWhereItsSurroundingsAreTooMany) {
   const SparseGrid grid = a_and_row(28);
-  const auto crumbs = patches_on(grid, sheets_with_a_apart(grid));
-  ASSERT_EQ(crumbs.size(), 2u);
-  EXPECT_EQ(crumbs[0].size(), 15u);
-  EXPECT_EQ(crumbs[1], numbers(7, 122));
+  const auto components = patches_on(grid, sheets_with_a_apart(grid));
+  ASSERT_EQ(components.size(), 2u);
+  EXPECT_EQ(components[0].size(), 15u);
+  EXPECT_EQ(components[1], numbers(7, 122));
 }
 
 // A row of 40 cells from (1, 1, 1) to (40, 1, 1), and one more cell at each end. The row has the 41
 // · 4 = 164 corners from 7 on. It is visited twice: from either end it has too many.
-TEST(Crumbs, ALargePieceIsNoneFromWhicheverEnd) {
+TEST(SmallComponents, ALargePieceIsNoneFromWhicheverEnd) {
   std::vector<MortonKey> keys = {morton_key({0, 0, 0}), morton_key({41, 2, 2})};
   for (int x = 1; x <= 40; ++x) keys.push_back(morton_key({x, 1, 1}));
   std::ranges::sort(keys);
@@ -149,10 +150,10 @@ TEST(Crumbs, ALargePieceIsNoneFromWhicheverEnd) {
   sheets.shared.push_back(far_corner);
   sheets.copy.insert(sheets.copy.end(), {far_corner, sheets.copy_count++});
   sheets.start.push_back(4);
-  const auto crumbs = patches_on(grid, sheets);
-  ASSERT_EQ(crumbs.size(), 2u);
-  EXPECT_EQ(crumbs[0].size(), 15u);
-  EXPECT_EQ(crumbs[1].size(), 15u);
+  const auto components = patches_on(grid, sheets);
+  ASSERT_EQ(components.size(), 2u);
+  EXPECT_EQ(components[0].size(), 15u);
+  EXPECT_EQ(components[1].size(), 15u);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "server/solver/hierarchy/sheets/crumbs.h"
+#include "server/solver/hierarchy/sheets/small_components.h"
 
 #include <algorithm>
 #include <iterator>
@@ -65,37 +65,40 @@ Corners patch_of(const SparseGrid& finest, const SheetCorners& sheets, Corners p
   return with_ring.size() <= kPatchCornersMax ? with_ring : piece;
 }
 
-/// Crumbs that hang on each other. One patch after the other would move a chain of them as slowly
-/// as any relaxation.
-class HangingCrumbs {
+/// Small components that hang on each other. One patch after the other would move a chain of them
+/// as slowly as any relaxation.
+class HangingComponents {
  public:
-  HangingCrumbs(std::vector<Crumb> crumbs, const SheetCorners& sheets)
-      : crumbs_(std::move(crumbs)), joined_(crumbs_.size()) {
-    Corners crumb_of_copy(sheets.copy_count, kNone);
-    for (size_t i = 0; i < crumbs_.size(); ++i)
-      for (const int32_t copy : crumbs_[i].copies) crumb_of_copy[copy] = static_cast<int32_t>(i);
+  HangingComponents(std::vector<SmallComponent> components, const SheetCorners& sheets)
+      : components_(std::move(components)), joined_(components_.size()) {
+    Corners component_of_copy(sheets.copy_count, kNone);
+    for (size_t i = 0; i < components_.size(); ++i)
+      for (const int32_t copy : components_[i].copies)
+        component_of_copy[copy] = static_cast<int32_t>(i);
     for (size_t i = 0; i < sheets.shared.size(); ++i)
       for (int32_t k = sheets.start[i] + 1; k < sheets.start[i + 1]; ++k) {
-        const int32_t one = crumb_of_copy[sheets.copy[k - 1]], two = crumb_of_copy[sheets.copy[k]];
+        const int32_t one = component_of_copy[sheets.copy[k - 1]],
+                      two = component_of_copy[sheets.copy[k]];
         if (one != kNone && two != kNone) pairs_.emplace_back(one, two);
       }
   }
 
   /// Joins them while a patch has room for both. Two that stay apart need coarse cells.
-  std::vector<Crumb> joined() {
+  std::vector<SmallComponent> joined() {
     for (const auto& [one, two] : pairs_) join(joined_.root(one), joined_.root(two));
     for (const auto& [one, two] : pairs_) {
-      Crumb &a = crumbs_[joined_.root(one)], &b = crumbs_[joined_.root(two)];
+      SmallComponent &a = components_[joined_.root(one)], &b = components_[joined_.root(two)];
       if (&a != &b) a.needs_coarse_cells = b.needs_coarse_cells = true;
     }
-    std::erase_if(crumbs_, [](const Crumb& crumb) { return crumb.copies.empty(); });
-    return std::move(crumbs_);
+    std::erase_if(components_,
+                  [](const SmallComponent& component) { return component.copies.empty(); });
+    return std::move(components_);
   }
 
  private:
   void join(int32_t one, int32_t two) {
     if (one == two) return;
-    Crumb &kept = crumbs_[std::min(one, two)], &gone = crumbs_[std::max(one, two)];
+    SmallComponent &kept = components_[std::min(one, two)], &gone = components_[std::max(one, two)];
     Corners patch;
     std::ranges::set_union(kept.patch, gone.patch, std::back_inserter(patch));
     if (patch.size() > kPatchCornersMax) return;
@@ -106,16 +109,17 @@ class HangingCrumbs {
     joined_.join(one, two);
   }
 
-  std::vector<Crumb> crumbs_;
+  std::vector<SmallComponent> components_;
   DisjointSets joined_;
   std::vector<std::pair<int32_t, int32_t>> pairs_;
 };
 
 }  // namespace
 
-std::vector<Crumb> find_crumbs(const SparseGrid& finest, const SheetCorners& sheets) {
+std::vector<SmallComponent> find_small_components(const SparseGrid& finest,
+                                                  const SheetCorners& sheets) {
   if (sheets.shared.empty()) return {};
-  std::vector<Crumb> crumbs;
+  std::vector<SmallComponent> components;
   size_t copies = 0;
   const Corners corner = corners_of_copies(finest, sheets);
   for (Corners& piece : small_pieces(sheets)) {
@@ -123,21 +127,23 @@ std::vector<Crumb> find_crumbs(const SparseGrid& finest, const SheetCorners& she
     for (const int32_t copy : piece) corners.push_back(corner[copy]);
     copies += piece.size();
     Corners patch = patch_of(finest, sheets, corners);
-    crumbs.push_back({std::move(piece), std::move(corners), std::move(patch)});
+    components.push_back({std::move(piece), std::move(corners), std::move(patch)});
   }
   // Without a large piece no coarse depth would be left.
   const bool are_all = copies == static_cast<size_t>(sheets.copy_count);
-  for (Crumb& crumb : crumbs) crumb.needs_coarse_cells = are_all;
-  return HangingCrumbs(std::move(crumbs), sheets).joined();
+  for (SmallComponent& component : components) component.needs_coarse_cells = are_all;
+  return HangingComponents(std::move(components), sheets).joined();
 }
 
-std::vector<int32_t> find_anchors(std::span<const Crumb> crumbs, const SheetCorners& sheets) {
-  Corners crumb_of_copy(sheets.copy_count, kNone), anchors(crumbs.size(), kNone);
-  for (size_t i = 0; i < crumbs.size(); ++i)
-    for (const int32_t copy : crumbs[i].copies) crumb_of_copy[copy] = static_cast<int32_t>(i);
+std::vector<int32_t> find_anchors(std::span<const SmallComponent> components,
+                                  const SheetCorners& sheets) {
+  Corners component_of_copy(sheets.copy_count, kNone), anchors(components.size(), kNone);
+  for (size_t i = 0; i < components.size(); ++i)
+    for (const int32_t copy : components[i].copies)
+      component_of_copy[copy] = static_cast<int32_t>(i);
   // Returns what a copy follows.
   const auto followed = [&](int32_t copy) {
-    return crumb_of_copy[copy] == kNone ? copy : anchors[crumb_of_copy[copy]];
+    return component_of_copy[copy] == kNone ? copy : anchors[component_of_copy[copy]];
   };
   for (bool is_new = true; is_new;) {
     is_new = false;
@@ -153,7 +159,7 @@ std::vector<int32_t> find_anchors(std::span<const Crumb> crumbs, const SheetCorn
       if (anchor == kNone) continue;
       for (int32_t k = begin; k < end; ++k) {
         if (followed(sheets.copy[k]) != kNone) continue;
-        anchors[crumb_of_copy[sheets.copy[k]]] = anchor;
+        anchors[component_of_copy[sheets.copy[k]]] = anchor;
         is_new = true;
       }
     }
