@@ -34,7 +34,7 @@ void FetchQueue::fill(std::vector<PageItem>& batch, std::deque<PageItem>& from,
   }
 }
 
-bool FetchQueue::come(PageItem item, uint64_t bytes) {
+bool FetchQueue::arrive(PageItem item, uint64_t bytes) {
   ++parts_;
   bytes_ += bytes;
   under_way_.erase(item);

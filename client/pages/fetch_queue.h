@@ -25,7 +25,7 @@ class FetchQueue {
   std::vector<PageItem> take_batch();
 
   /// A call has brought an item. Returns whether somebody waits for it.
-  bool come(PageItem item, uint64_t bytes);
+  bool arrive(PageItem item, uint64_t bytes);
   bool is_open(PageItem item) const { return open_.contains(item); }
 
   /// A call has ended. Returns its items that somebody waits for still. They are asked for no more.
@@ -40,7 +40,7 @@ class FetchQueue {
   std::deque<PageItem> waiting_sheets_;  // likewise
   std::set<PageItem> open_;              // somebody waits for them
   std::set<PageItem> under_way_;
-  uint64_t parts_ = 0;  // that came
+  uint64_t parts_ = 0;  // that arrived
   uint64_t bytes_ = 0;
 };
 

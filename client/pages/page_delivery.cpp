@@ -31,7 +31,7 @@ bool PageDelivery::is_useful(const Running& call) const {
 }
 
 bool PageDelivery::on_found(PageItem item, std::vector<uint8_t> bytes) {
-  const bool is_wanted = queue_.come(item, bytes.size());
+  const bool is_wanted = queue_.arrive(item, bytes.size());
   if (is_wanted) arrivals_.push_back({item, std::move(bytes)});
   return is_wanted;
 }

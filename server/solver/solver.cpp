@@ -57,9 +57,10 @@ Result<ChosenBackend> on_cuda_shards(const Multigrid& on, const SolverOptions& o
   std::vector<CudaShard> parts;
   for (Shard& shard : shards->all)
     parts.push_back({std::move(shard.on), shard.halos, &shard.border});
-  const CudaShardGroup group = {
-      shards->border, on.plan->patches.count() > 0,
-      [steps = steps.get()](const std::function<void()>& together) { steps->meet(together); }};
+  const CudaShardGroup group = {shards->border, on.plan->patches.count() > 0,
+                                [steps = steps.get()](const std::function<void()>& together) {
+                                  steps->arrive_and_wait(together);
+                                }};
   ASSIGN_OR_RETURN(CudaShards made, make_cuda_shards(group, parts));
   return ChosenBackend{
       make_multi_backend(on, {shards, steps, made.halos, std::move(made.backends)}),

@@ -377,8 +377,9 @@ Result<CudaShards> make_cuda_shards(const CudaShardGroup& group, std::span<CudaS
   for (size_t i = 0; i < shards.size(); ++i)
     lists.push_back({static_cast<int>(i % devices), shards[i].on.hierarchy.get(), shards[i].depths,
                      shards[i].border});
-  ASSIGN_OR_RETURN(auto halos,
-                   cuda::make_halos({group.border, group.has_patches, group.meet}, lists));
+  ASSIGN_OR_RETURN(
+      auto halos,
+      cuda::make_halos({group.border, group.has_patches, group.arrive_and_wait}, lists));
   CudaShards made;
   for (size_t i = 0; i < shards.size(); ++i) {
     ASSIGN_OR_RETURN(made.backends.emplace_back(),

@@ -55,7 +55,7 @@ struct CudaShards {
 struct CudaShardGroup {
   int border;  ///< depth
   bool has_patches;
-  std::function<void(const std::function<void()>&)> meet;  ///< see multi/lock_step.h
+  std::function<void(const std::function<void()>&)> arrive_and_wait;  ///< see multi/lock_step.h
 };
 
 /// Makes a backend of each shard, with the smoother kSchwarz, on the devices in turn. Fails: as

@@ -10,15 +10,15 @@ namespace burnish::cuda {
 
 namespace {
 
-/// All shards, while they meet.
-class Meeting {
+/// The shards, and the barrier at which they wait for each other.
+class ShardBarrier {
  public:
-  explicit Meeting(ShardGroup group) : group_(std::move(group)) {}
-  ~Meeting() {
+  explicit ShardBarrier(ShardGroup group) : group_(std::move(group)) {}
+  ~ShardBarrier() {
     for (const auto& [key, graph] : graphs_)
       if (graph != nullptr) cudaGraphExecDestroy(graph);
   }
-  Meeting(const Meeting&) = delete;
+  ShardBarrier(const ShardBarrier&) = delete;
 
   const ShardGroup& group() const { return group_; }
   std::vector<std::unique_ptr<ShardOnDevice>>& shards() { return shards_; }
@@ -28,8 +28,8 @@ class Meeting {
   // Does together(shard) for each shard, on its stream, after what all of them have queued so far.
   template <typename Together>
   void after_all(int number, Stream& stream, void* vector, Together&& together) {
-    come(number, stream, vector);
-    group_.meet([&] {
+    arrive(number, stream, vector);
+    group_.arrive_and_wait([&] {
       for (const auto& waiting : shards_) wait_for_all(*waiting);
       for (int other = 0; other < count(); ++other) together(*shards_[other]);
     });
@@ -49,13 +49,13 @@ class Meeting {
       seen_[number][key] = true;
       return work();
     }
-    come(number, stream, nullptr);
+    arrive(number, stream, nullptr);
     const bool is_recorded = graphs_.contains(key);
-    group_.meet([&] { is_recorded ? launch(graphs_[key]) : begin(); });
+    group_.arrive_and_wait([&] { is_recorded ? launch(graphs_[key]) : begin(); });
     if (is_recorded) return;
     work();
-    come(number, stream, nullptr);
-    group_.meet([&] {
+    arrive(number, stream, nullptr);
+    group_.arrive_and_wait([&] {
       graphs_[key] = end();
       launch(graphs_[key]);
     });
@@ -63,7 +63,7 @@ class Meeting {
 
   bool all(bool here) {
     all_ = all_ && here;
-    group_.meet([&] { agreed_ = std::exchange(all_, true); });
+    group_.arrive_and_wait([&] { agreed_ = std::exchange(all_, true); });
     return agreed_;
   }
 
@@ -71,7 +71,7 @@ class Meeting {
   void never_record() { records_ = false; }
 
  private:
-  void come(int number, Stream& stream, void* vector) {
+  void arrive(int number, Stream& stream, void* vector) {
     ShardOnDevice& here = *shards_[number];
     here.now = &stream;
     here.vector = vector;
@@ -143,12 +143,12 @@ class Meeting {
 
 class DeviceHalo final : public Halo {
  public:
-  DeviceHalo(std::shared_ptr<Meeting> meeting, int shard)
-      : meeting_(std::move(meeting)), shard_(shard) {}
+  DeviceHalo(std::shared_ptr<ShardBarrier> barrier, int shard)
+      : barrier_(std::move(barrier)), shard_(shard) {}
 
-  int border() const override { return meeting_->group().border; }
+  int border() const override { return barrier_->group().border; }
   bool is_first() const override { return shard_ == 0; }
-  bool has_patches() const override { return meeting_->group().has_patches; }
+  bool has_patches() const override { return barrier_->group().has_patches; }
 
   void refresh(Stream& stream, int depth, float4* vector) override {
     bring_to_ghosts(stream, depth, vector);
@@ -160,25 +160,25 @@ class DeviceHalo final : public Halo {
   void add_up(Stream& stream, int depth, float4* vector) override {
     DepthOnDevice& here = take_turn(depth);
     copy(stream, here.ghost_count, vector + here.own, here.stage<float4>());
-    meeting_->after_all(shard_, stream, vector, [&](ShardOnDevice& of) {
+    barrier_->after_all(shard_, stream, vector, [&](ShardOnDevice& of) {
       DepthOnDevice& there = of.at(depth);
       add_copies(*of.now, there.sent_count, there.sent.data(), there.copy_start.data(),
-                 there.copies.data(), meeting_->stages_of<float4>(depth),
+                 there.copies.data(), barrier_->stages_of<float4>(depth),
                  static_cast<float4*>(of.vector));
     });
     if (depth > border()) bring_to_ghosts(stream, depth, vector);
   }
 
   void collect(Stream& stream, double* numbers) override {
-    ShardOnDevice& here = meeting_->shard(shard_);
+    ShardOnDevice& here = barrier_->shard(shard_);
     if (shard_ > 0)
       pack(stream, here.border_count, here.border_from.data(), numbers, here.border_stage.data());
-    meeting_->after_all(shard_, stream, numbers, [&](ShardOnDevice& of) {
-      if (&of != &meeting_->shard(0))
+    barrier_->after_all(shard_, stream, numbers, [&](ShardOnDevice& of) {
+      if (&of != &barrier_->shard(0))
         return scatter(*of.now, 0, of.border_from.data(), of.border_stage.data(),
                        static_cast<double*>(of.vector));
-      for (int other = 1; other < meeting_->count(); ++other) {
-        const ShardOnDevice& from = meeting_->shard(other);
+      for (int other = 1; other < barrier_->count(); ++other) {
+        const ShardOnDevice& from = barrier_->shard(other);
         scatter(*of.now, from.border_count, from.border_to.data(), from.border_stage.data(),
                 static_cast<double*>(of.vector));
       }
@@ -186,36 +186,36 @@ class DeviceHalo final : public Halo {
   }
 
   OfShards share(Stream& stream, int slot, const double* mine) override {
-    ShardOnDevice& here = meeting_->shard(shard_);
+    ShardOnDevice& here = barrier_->shard(shard_);
     const int turn = here.turn_of_slot[slot] = (here.turn_of_slot[slot] + 1) % kTurns;
     copy(stream, int64_t{OfShards::kTotals}, mine, here.totals_of(slot, turn));
-    meeting_->after_all(shard_, stream, nullptr, [](ShardOnDevice&) {});
-    OfShards all = {meeting_->count(), {}};
+    barrier_->after_all(shard_, stream, nullptr, [](ShardOnDevice&) {});
+    OfShards all = {barrier_->count(), {}};
     for (int other = 0; other < all.count; ++other)
-      all.totals[other] = meeting_->shard(other).totals_of(slot, turn);
+      all.totals[other] = barrier_->shard(other).totals_of(slot, turn);
     return all;
   }
 
   int slot_of_solver() const override {
-    return static_cast<int>(meeting_->shard(shard_).turn_of_slot.size()) - 1;
+    return static_cast<int>(barrier_->shard(shard_).turn_of_slot.size()) - 1;
   }
 
   void keep_largest(Stream& stream, float* number) override {
-    ShardOnDevice& here = meeting_->shard(shard_);
+    ShardOnDevice& here = barrier_->shard(shard_);
     widen(stream, number, here.largest.data());
     const OfShards all = share(stream, slot_of_solver(), here.largest.data());
     take_largest(stream, all, number);
   }
 
-  bool all(bool here) override { return meeting_->all(here); }
-  void never_record() override { meeting_->never_record(); }
+  bool all(bool here) override { return barrier_->all(here); }
+  void never_record() override { barrier_->never_record(); }
   void run_recorded(int key, Stream& stream, const std::function<void()>& work) override {
-    meeting_->run(shard_, key, stream, work);
+    barrier_->run(shard_, key, stream, work);
   }
 
  private:
   DepthOnDevice& take_turn(int depth) {
-    DepthOnDevice& here = meeting_->shard(shard_).at(depth);
+    DepthOnDevice& here = barrier_->shard(shard_).at(depth);
     here.turn = (here.turn + 1) % kTurns;
     return here;
   }
@@ -224,14 +224,14 @@ class DeviceHalo final : public Halo {
   void bring_to_ghosts(Stream& stream, int depth, T* vector) {
     DepthOnDevice& here = take_turn(depth);
     pack(stream, here.sent_count, here.sent.data(), vector, here.stage<T>());
-    meeting_->after_all(shard_, stream, vector, [&](ShardOnDevice& of) {
+    barrier_->after_all(shard_, stream, vector, [&](ShardOnDevice& of) {
       DepthOnDevice& there = of.at(depth);
-      take_ghosts(*of.now, there.ghost_count, there.ghosts.data(), meeting_->stages_of<T>(depth),
+      take_ghosts(*of.now, there.ghost_count, there.ghosts.data(), barrier_->stages_of<T>(depth),
                   static_cast<T*>(of.vector) + there.own);
     });
   }
 
-  std::shared_ptr<Meeting> meeting_;
+  std::shared_ptr<ShardBarrier> barrier_;
   int shard_;
 };
 
@@ -257,16 +257,16 @@ Result<std::vector<std::unique_ptr<Halo>>> make_halos(const ShardGroup& group,
   for (const ShardLists& reader : shards)
     for (const ShardLists& owner : shards)
       RETURN_IF_ERROR(open_memory(reader.device, owner.device));
-  auto meeting = std::make_shared<Meeting>(group);
+  auto barrier = std::make_shared<ShardBarrier>(group);
   Stream first(shards.front().device);
   std::vector<std::unique_ptr<Halo>> halos;
   for (size_t i = 0; i < shards.size(); ++i) {
-    meeting->shards().push_back(std::make_unique<ShardOnDevice>(shards[i], shards.front(), first));
-    RETURN_IF_ERROR(meeting->shards().back()->stream.status());
-    halos.push_back(std::make_unique<DeviceHalo>(meeting, static_cast<int>(i)));
+    barrier->shards().push_back(std::make_unique<ShardOnDevice>(shards[i], shards.front(), first));
+    RETURN_IF_ERROR(barrier->shards().back()->stream.status());
+    halos.push_back(std::make_unique<DeviceHalo>(barrier, static_cast<int>(i)));
   }
   RETURN_IF_ERROR(first.status());
-  meeting->prepare();
+  barrier->prepare();
   return halos;
 }
 

@@ -26,8 +26,8 @@ struct ShardLists {
 struct ShardGroup {
   int border;
   bool has_patches;
-  /// Waits until every shard has come there, then does the work once (multi/lock_step.h).
-  std::function<void(const std::function<void()>&)> meet;
+  /// Waits until every shard has arrived, then does the work once (multi/lock_step.h).
+  std::function<void(const std::function<void()>&)> arrive_and_wait;
 };
 
 /// What a shard on a device asks of the others: see cpu/halo.h. An owner puts its numbers into

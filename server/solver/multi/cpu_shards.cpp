@@ -11,8 +11,8 @@ namespace burnish {
 
 namespace {
 
-/// What the shards of one backend have in common while they exchange.
-struct Meeting {
+/// What the shards of one backend share at a barrier.
+struct ShardBarrier {
   std::shared_ptr<const Shards> shards;
   LockStep& steps;
   std::vector<void*> numbers;   // of each shard
@@ -27,24 +27,24 @@ struct Meeting {
 };
 
 template <typename T>
-void bring_to_ghosts(const Meeting& meeting, int depth) {
-  for (int shard = 0; shard < meeting.shards->count(); ++shard) {
-    T* to = static_cast<T*>(meeting.numbers[shard]) + meeting.own_corners(shard, depth);
-    for (const auto& [owner, index] : meeting.lists(shard, depth).ghosts)
+void bring_to_ghosts(const ShardBarrier& barrier, int depth) {
+  for (int shard = 0; shard < barrier.shards->count(); ++shard) {
+    T* to = static_cast<T*>(barrier.numbers[shard]) + barrier.own_corners(shard, depth);
+    for (const auto& [owner, index] : barrier.lists(shard, depth).ghosts)
       *to++ =
-          static_cast<const T*>(meeting.numbers[owner])[meeting.lists(owner, depth).sent[index]];
+          static_cast<const T*>(barrier.numbers[owner])[barrier.lists(owner, depth).sent[index]];
   }
 }
 
 template <typename T>
-void add_to_owners(const Meeting& meeting, int depth) {
-  for (int shard = 0; shard < meeting.shards->count(); ++shard) {
-    const HaloLists& lists = meeting.lists(shard, depth);
-    T* own = static_cast<T*>(meeting.numbers[shard]);
+void add_to_owners(const ShardBarrier& barrier, int depth) {
+  for (int shard = 0; shard < barrier.shards->count(); ++shard) {
+    const HaloLists& lists = barrier.lists(shard, depth);
+    T* own = static_cast<T*>(barrier.numbers[shard]);
     for (size_t k = 0; k < lists.sent.size(); ++k)
       for (const auto& [other, ghost] : lists.copies[k])
         own[lists.sent[k]] += static_cast<const T*>(
-            meeting.numbers[other])[meeting.own_corners(other, depth) + ghost];
+            barrier.numbers[other])[barrier.own_corners(other, depth) + ghost];
   }
 }
 
@@ -56,14 +56,14 @@ std::span<double> numbers_of(double* numbers, size_t cells, int32_t part) {
           size_t{kNumbersPerTie}};
 }
 
-void bring_to_first(const Meeting& meeting) {
+void bring_to_first(const ShardBarrier& barrier) {
   const auto cells = [&](int shard) {
-    return meeting.shards->all[shard].on.hierarchy->at(meeting.shards->border).grid.cells.size();
+    return barrier.shards->all[shard].on.hierarchy->at(barrier.shards->border).grid.cells.size();
   };
-  auto* to = static_cast<double*>(meeting.numbers[0]);
-  for (int shard = 1; shard < meeting.shards->count(); ++shard) {
-    auto* from = static_cast<double*>(meeting.numbers[shard]);
-    const BorderLists& lists = meeting.shards->all[shard].border;
+  auto* to = static_cast<double*>(barrier.numbers[0]);
+  for (int shard = 1; shard < barrier.shards->count(); ++shard) {
+    auto* from = static_cast<double*>(barrier.numbers[shard]);
+    const BorderLists& lists = barrier.shards->all[shard].border;
     for (size_t i = 0; i < lists.here.size(); ++i)
       std::ranges::copy(numbers_of(from, cells(shard), lists.here[i]),
                         numbers_of(to, cells(0), lists.whole[i]).begin());
@@ -72,25 +72,25 @@ void bring_to_first(const Meeting& meeting) {
 
 class CpuHalo final : public cpu::Halo {
  public:
-  CpuHalo(std::shared_ptr<Meeting> meeting, int shard)
-      : meeting_(std::move(meeting)), shard_(shard) {}
+  CpuHalo(std::shared_ptr<ShardBarrier> barrier, int shard)
+      : barrier_(std::move(barrier)), shard_(shard) {}
 
-  int border() const override { return meeting_->shards->border; }
+  int border() const override { return barrier_->shards->border; }
 
   void refresh(int depth, std::span<Eigen::Array4f> vector) override {
-    meet(vector.data(), [&] { bring_to_ghosts<Eigen::Array4f>(*meeting_, depth); });
+    arrive_and_wait(vector.data(), [&] { bring_to_ghosts<Eigen::Array4f>(*barrier_, depth); });
   }
   void refresh(int depth, std::span<float> vector) override {
-    meet(vector.data(), [&] { bring_to_ghosts<float>(*meeting_, depth); });
+    arrive_and_wait(vector.data(), [&] { bring_to_ghosts<float>(*barrier_, depth); });
   }
   void add_up(int depth, std::span<Eigen::Array4f> vector) override {
-    meet(vector.data(), [&] {
-      add_to_owners<Eigen::Array4f>(*meeting_, depth);
-      bring_to_ghosts<Eigen::Array4f>(*meeting_, depth);
+    arrive_and_wait(vector.data(), [&] {
+      add_to_owners<Eigen::Array4f>(*barrier_, depth);
+      bring_to_ghosts<Eigen::Array4f>(*barrier_, depth);
     });
   }
   void collect(double* numbers) override {
-    meet(numbers, [&] { bring_to_first(*meeting_); });
+    arrive_and_wait(numbers, [&] { bring_to_first(*barrier_); });
   }
   void sum(std::span<double> numbers) override {
     combine(numbers, [](double sum, double number) { return sum + number; });
@@ -101,26 +101,26 @@ class CpuHalo final : public cpu::Halo {
 
  private:
   template <typename Together>
-  void meet(void* numbers, Together&& together) {
-    meeting_->numbers[shard_] = numbers;
-    meeting_->steps.meet(together);
+  void arrive_and_wait(void* numbers, Together&& together) {
+    barrier_->numbers[shard_] = numbers;
+    barrier_->steps.arrive_and_wait(together);
   }
 
   template <typename Combine>
   void combine(std::span<double> numbers, Combine&& combine_two) {
-    meet(numbers.data(), [&] {
+    arrive_and_wait(numbers.data(), [&] {
       const auto of = [&](int shard) {
-        return std::span(static_cast<double*>(meeting_->numbers[shard]), numbers.size());
+        return std::span(static_cast<double*>(barrier_->numbers[shard]), numbers.size());
       };
-      meeting_->results.assign(of(0).begin(), of(0).end());
-      for (int shard = 1; shard < meeting_->shards->count(); ++shard)
-        std::ranges::transform(meeting_->results, of(shard), meeting_->results.begin(),
+      barrier_->results.assign(of(0).begin(), of(0).end());
+      for (int shard = 1; shard < barrier_->shards->count(); ++shard)
+        std::ranges::transform(barrier_->results, of(shard), barrier_->results.begin(),
                                combine_two);
     });
-    std::ranges::copy(meeting_->results, numbers.begin());
+    std::ranges::copy(barrier_->results, numbers.begin());
   }
 
-  std::shared_ptr<Meeting> meeting_;
+  std::shared_ptr<ShardBarrier> barrier_;
   int shard_;
 };
 
@@ -128,11 +128,11 @@ class CpuHalo final : public cpu::Halo {
 
 CpuShards make_cpu_shards(std::shared_ptr<const Shards> shards, LockStep& steps) {
   const int count = shards->count();
-  auto meeting = std::make_shared<Meeting>(Meeting{shards, steps, {}, {}});
-  meeting->numbers.resize(count);
+  auto barrier = std::make_shared<ShardBarrier>(ShardBarrier{shards, steps, {}, {}});
+  barrier->numbers.resize(count);
   CpuShards made;
   for (int shard = 0; shard < count; ++shard) {
-    made.halos.push_back(std::make_unique<CpuHalo>(meeting, shard));
+    made.halos.push_back(std::make_unique<CpuHalo>(barrier, shard));
     made.backends.push_back(make_cpu_shard_backend(shards->all[shard].on, *made.halos.back()));
   }
   return made;

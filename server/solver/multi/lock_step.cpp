@@ -43,7 +43,7 @@ void LockStep::serve(int shard) {
 void LockStep::run(const std::function<void(int)>& work) {
   BURNISH_CHECK(current() == -1, "work of shards does not nest");
   work_ = &work;
-  met_ = 0;
+  arrived_ = 0;
   threads_ = thread_count();
   for (const auto& seat : seats_) seat->has_ended = false;
   work_as(0);
@@ -61,11 +61,11 @@ void LockStep::work_as(int shard) {
   if (shards() > 1) hand_on(shard);
 }
 
-void LockStep::meet(const std::function<void()>& together) {
+void LockStep::arrive_and_wait(const std::function<void()>& together) {
   if (shards() == 1) return together();
   const int shard = working_as;
   together_ = &together;
-  ++met_;
+  ++arrived_;
   hand_on(shard);
   seats_[shard]->turn.acquire();
 }
@@ -76,7 +76,7 @@ void LockStep::hand_on(int shard) {
   int next = shard + 1;
   while (next < shards() && !works(next)) ++next;
   if (next < shards()) return seats_[next]->turn.release();
-  if (std::exchange(met_, 0) == shards()) (*together_)();
+  if (std::exchange(arrived_, 0) == shards()) (*together_)();
   next = 0;
   while (next < shards() && !works(next)) ++next;
   seats_[next < shards() ? next : 0]->turn.release();

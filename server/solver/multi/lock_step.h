@@ -23,10 +23,10 @@ class LockStep {
   /// call meanwhile.
   void run(const std::function<void(int)>& work);
 
-  /// Waits until all shards have come here, then does `together` once before any goes on. Needs: a
-  /// call from within run(). If another shard has ended its work, which only a failed machine makes
-  /// it do, it goes on without `together`.
-  void meet(const std::function<void()>& together);
+  /// Waits until all shards have arrived here, then does `together` once before any goes on. Needs:
+  /// a call from within run(). If another shard has ended its work, which only a failed machine
+  /// makes it do, it goes on without `together`.
+  void arrive_and_wait(const std::function<void()>& together);
 
   /// Returns the shard whose work this thread does; -1 outside of run().
   int current() const;
@@ -45,7 +45,7 @@ class LockStep {
   std::vector<std::unique_ptr<Seat>> seats_;
   const std::function<void(int)>* work_ = nullptr;
   const std::function<void()>* together_ = nullptr;
-  int met_ = 0;  // shards that wait in meet()
+  int arrived_ = 0;  // shards that wait in arrive_and_wait()
   int threads_ = 0;
   bool is_over_ = false;
 };

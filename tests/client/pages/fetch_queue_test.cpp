@@ -56,21 +56,21 @@ TEST(FetchQueue, TakesFewItemsAtOnceWhereTheyAreLarge) {
   ask(queue, 0, 1000);
   const auto first = queue.take_batch();
   EXPECT_LE(first.size() * 10'000, kFetchBytesMax);
-  for (const PageItem item : first) EXPECT_TRUE(queue.come(item, 50'000));
+  for (const PageItem item : first) EXPECT_TRUE(queue.arrive(item, 50'000));
   EXPECT_THAT(queue.take_batch(), SizeIs(kFetchBytesMax / 50'000));
 }
 
 TEST(FetchQueue, TakesAsManySmallItemsAsACallMayHave) {
   FetchQueue queue;
   ask(queue, 0, 1000);
-  for (const PageItem item : queue.take_batch()) queue.come(item, 10);
+  for (const PageItem item : queue.take_batch()) queue.arrive(item, 10);
   EXPECT_THAT(queue.take_batch(), SizeIs(kPagePartsPerFetchMax));
 }
 
 TEST(FetchQueue, TakesAnItemAloneThatIsLargerThanTheLimit) {
   FetchQueue queue;
   ask(queue, 0, 100);
-  for (const PageItem item : queue.take_batch()) queue.come(item, 2 * kFetchBytesMax);
+  for (const PageItem item : queue.take_batch()) queue.arrive(item, 2 * kFetchBytesMax);
   EXPECT_THAT(queue.take_batch(), SizeIs(1));
 }
 
@@ -83,8 +83,8 @@ TEST(FetchQueue, LeavesOutWhatWasCancelled) {
   const auto batch = queue.take_batch();
   EXPECT_THAT(batch, ElementsAre(page(0), page(2), page(3)));
   queue.cancel(page(3));
-  EXPECT_FALSE(queue.come(page(3), 10));
-  EXPECT_TRUE(queue.come(page(0), 10));
+  EXPECT_FALSE(queue.arrive(page(3), 10));
+  EXPECT_TRUE(queue.arrive(page(0), 10));
   EXPECT_THAT(queue.end(batch), ElementsAre(page(2)));
 }
 
@@ -95,7 +95,7 @@ TEST(FetchQueue, DoesNotTakeAgainWhatIsUnderWay) {
   queue.cancel(page(0));
   queue.ask(page(0));
   EXPECT_THAT(queue.take_batch(), IsEmpty());
-  EXPECT_TRUE(queue.come(page(0), 10));
+  EXPECT_TRUE(queue.arrive(page(0), 10));
 }
 
 TEST(FetchQueue, GivesUpWhatWaitsAndKeepsWhatIsUnderWay) {
@@ -106,7 +106,7 @@ TEST(FetchQueue, GivesUpWhatWaitsAndKeepsWhatIsUnderWay) {
   queue.cancel(page(39));
   EXPECT_THAT(queue.give_up_waiting(), SizeIs(waiting - 1));
   EXPECT_THAT(queue.take_batch(), IsEmpty());
-  EXPECT_TRUE(queue.come(batch[0], 10));
+  EXPECT_TRUE(queue.arrive(batch[0], 10));
   queue.ask(page(39));
   EXPECT_THAT(queue.take_batch(), ElementsAre(page(39)));
 }

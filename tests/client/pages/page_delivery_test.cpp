@@ -43,10 +43,10 @@ TEST_F(Deliveries, BringEachItemOnceInTheOrderOfTheCall) {
   EXPECT_TRUE(bring(*call, PageItem::of_page(3)));
   EXPECT_TRUE(bring(*call, PageItem::of_page(1)));
   EXPECT_FALSE(delivery_.end(*call, Status::ok()));
-  const auto come = delivery_.take();
-  ASSERT_THAT(come, SizeIs(2));
-  EXPECT_EQ(come[0].item, PageItem::of_page(3));
-  EXPECT_EQ(come[1].item, PageItem::of_page(1));
+  const auto arrived = delivery_.take();
+  ASSERT_THAT(arrived, SizeIs(2));
+  EXPECT_EQ(arrived[0].item, PageItem::of_page(3));
+  EXPECT_EQ(arrived[1].item, PageItem::of_page(1));
   EXPECT_THAT(delivery_.take(), IsEmpty());
 }
 
@@ -55,10 +55,10 @@ TEST_F(Deliveries, AnItemThatTheServerLeftOutFailsByItsName) {
   const auto call = begin();
   bring(*call, PageItem::of_page(1));
   EXPECT_TRUE(delivery_.end(*call, Status::ok()));
-  const auto come = delivery_.take();
-  ASSERT_THAT(come, SizeIs(2));
-  EXPECT_EQ(come[1].bytes.status().code(), StatusCode::kDataLoss);
-  EXPECT_THAT(come[1].bytes.status().message(), HasSubstr("scanner:7411 left out page 2"));
+  const auto arrived = delivery_.take();
+  ASSERT_THAT(arrived, SizeIs(2));
+  EXPECT_EQ(arrived[1].bytes.status().code(), StatusCode::kDataLoss);
+  EXPECT_THAT(arrived[1].bytes.status().message(), HasSubstr("scanner:7411 left out page 2"));
 }
 
 TEST_F(Deliveries, ACallWhoseItemsNobodyWantsIsCancelledOnce) {
@@ -98,9 +98,9 @@ TEST_F(Deliveries, ALostConnectionFailsWhatWaitsToo) {
   const auto call = begin();
   ask({PageItem::of_page(2)});
   delivery_.end(*call, unavailable("gone"));
-  const auto come = delivery_.take();
-  ASSERT_THAT(come, SizeIs(2));
-  for (const PageSource::Arrival& each : come)
+  const auto arrived = delivery_.take();
+  ASSERT_THAT(arrived, SizeIs(2));
+  for (const PageSource::Arrival& each : arrived)
     EXPECT_EQ(each.bytes.status().code(), StatusCode::kUnavailable);
   EXPECT_THAT(delivery_.next_batch(), IsEmpty());
 }

@@ -64,7 +64,7 @@ struct ShardOnDevice {
   DeviceArray<int32_t> border_to;    ///< and there, on the first shard's device
   SharedArray<double> border_stage;
   cudaEvent_t ready = nullptr;
-  // What the shard has come to a meeting with.
+  // What the shard has arrived at the barrier with.
   Stream* now = nullptr;
   void* vector = nullptr;
 

@@ -7,7 +7,7 @@
 namespace burnish {
 namespace {
 
-TEST(LockStep, RunsShardsInOrderBetweenMeetings) {
+TEST(LockStep, RunsShardsInOrderBetweenBarriers) {
   for (const int shards : {1, 2, 5}) {
     LockStep steps(shards);
     for (int round = 0; round < 3; ++round) {
@@ -15,9 +15,9 @@ TEST(LockStep, RunsShardsInOrderBetweenMeetings) {
       steps.run([&](int shard) {
         EXPECT_EQ(steps.current(), shard);
         did += static_cast<char>('a' + shard);
-        steps.meet([&] { did += '|'; });
+        steps.arrive_and_wait([&] { did += '|'; });
         did += static_cast<char>('a' + shard);
-        steps.meet([&] { did += '|'; });
+        steps.arrive_and_wait([&] { did += '|'; });
       });
       std::string all;
       for (int shard = 0; shard < shards; ++shard) all += static_cast<char>('a' + shard);
@@ -33,8 +33,8 @@ TEST(LockStep, NobodyWaitsForAShardThatLeft) {
     LockStep steps(3);
     int together = 0, ended = 0;
     steps.run([&](int shard) {
-      steps.meet([&] { ++together; });
-      if (shard != leaves) steps.meet([&] { ++together; });
+      steps.arrive_and_wait([&] { ++together; });
+      if (shard != leaves) steps.arrive_and_wait([&] { ++together; });
       ++ended;
     });
     EXPECT_EQ(together, 1);
