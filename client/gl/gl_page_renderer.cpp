@@ -10,8 +10,8 @@ Result<std::unique_ptr<GlPageRenderer>> GlPageRenderer::create() {
   ASSIGN_OR_RETURN(ShaderProgram page, ShaderProgram::create("page", kPageVertexShader,
                                                              page_fragment_shader().c_str()));
   ASSIGN_OR_RETURN(auto background, Background::create());
-  ASSIGN_OR_RETURN(auto relief, ReliefLight::create());
-  Programs programs{std::move(page), {}, std::move(background), std::move(relief)};
+  ASSIGN_OR_RETURN(auto g_buffer, GBufferLight::create());
+  Programs programs{std::move(page), {}, std::move(background), std::move(g_buffer)};
   return std::unique_ptr<GlPageRenderer>(new GlPageRenderer(std::move(programs)));
 }
 
@@ -50,24 +50,24 @@ Status GlPageRenderer::draw(const Camera& camera, const ImageSize& size, const D
   if (style.wireframe) RETURN_IF_ERROR(arena_.choose_edges());
   RETURN_IF_ERROR(target_.bind(size));
   if (!patches.empty() && needs_surroundings(style.lighting))
-    return draw_relief(camera, size, style);
+    return draw_g_buffer(camera, size, style);
   programs_.background->draw();
   if (!patches.empty()) draw_split(camera, size, style);
   target_.resolve();
   return check_gl("drawing");
 }
 
-Status GlPageRenderer::draw_relief(const Camera& camera, const ImageSize& size,
-                                   const DrawStyle& style) {
-  RETURN_IF_ERROR(relief_target_.bind_for_background(size));
+Status GlPageRenderer::draw_g_buffer(const Camera& camera, const ImageSize& size,
+                                     const DrawStyle& style) {
+  RETURN_IF_ERROR(g_buffer_target_.bind_for_background(size));
   programs_.background->draw();
-  relief_target_.bind_for_surfaces();
+  g_buffer_target_.bind_for_surfaces();
   draw_split(camera, size, style);
   const Camera scaled = in_units(space_, camera);
-  relief_target_.resolve();
-  if (style.lighting.occlusion > 0) programs_.relief->occlude(relief_target_, scaled);
+  g_buffer_target_.resolve();
+  if (style.lighting.occlusion > 0) programs_.g_buffer->occlude(g_buffer_target_, scaled);
   target_.bind_resolved();
-  programs_.relief->draw(relief_target_, scaled, style.lighting);
+  programs_.g_buffer->draw(g_buffer_target_, scaled, style.lighting);
   return check_gl("drawing");
 }
 
@@ -109,7 +109,7 @@ void GlPageRenderer::draw_pages(const Camera& camera, double aspect, const DrawS
 
 void GlPageRenderer::draw_edges(const ShaderProgram& program) const {
   program.set("edges", true);
-  glEnable(GL_BLEND);  // by the alpha of each output: that of a relief is 0, so reliefs stay
+  glEnable(GL_BLEND);  // by the alpha of each output: that of the geometry is 0, so it stays
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
   arena_.draw_edges();
   glDisable(GL_BLEND);

@@ -4,11 +4,11 @@
 #include <optional>
 
 #include "client/gl/background.h"
+#include "client/gl/g_buffer_light.h"
+#include "client/gl/g_buffer_target.h"
 #include "client/gl/page_arena.h"
 #include "client/gl/page_textures.h"
 #include "client/gl/picture_target.h"
-#include "client/gl/relief_light.h"
-#include "client/gl/relief_target.h"
 #include "client/gl/shader_program.h"
 #include "client/scene/page_renderer.h"
 
@@ -50,10 +50,10 @@ class GlPageRenderer : public PageRenderer {
     ShaderProgram page;
     std::optional<ShaderProgram> textured;  // made for the first texture
     std::unique_ptr<Background> background;
-    std::unique_ptr<ReliefLight> relief;
+    std::unique_ptr<GBufferLight> g_buffer;
   };
   explicit GlPageRenderer(Programs programs) : programs_(std::move(programs)) {}
-  Status draw_relief(const Camera& camera, const ImageSize& size, const DrawStyle& style);
+  Status draw_g_buffer(const Camera& camera, const ImageSize& size, const DrawStyle& style);
   void draw_split(const Camera& camera, const ImageSize& size, const DrawStyle& style) const;
   void draw_pages(const Camera& camera, double aspect, const DrawStyle& style, bool original) const;
   void draw_edges(const ShaderProgram& program) const;
@@ -62,7 +62,7 @@ class GlPageRenderer : public PageRenderer {
   PageTextures textures_;
   PageArena arena_;
   PictureTarget target_;
-  ReliefTarget relief_target_;
+  GBufferTarget g_buffer_target_;
   PageSpace space_;
 };
 

@@ -4,8 +4,8 @@
 namespace burnish {
 
 // Ambient occlusion from the first sample of each pixel, on a spiral that 4x4 pixels turn in 16
-// ways. The relief shader blurs over these 16, so a still picture and a moving one have no noise.
-// client/raster/occlusion_rows.cpp has the same formulas for processors.
+// ways. The shader of the G-buffer blurs over these 16, so a still picture and a moving one have no
+// noise. client/raster/occlusion_rows.cpp has the same formulas for processors.
 const char* const kOcclusionPixels = R"(
 out vec4 occluded;
 

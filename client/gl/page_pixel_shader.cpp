@@ -25,7 +25,7 @@ uniform int ring_count;
 uniform vec4 rings[8];  // centre, radius
 uniform vec3 ring_colours[8];
 layout(location = 0) out vec4 colour;
-layout(location = 1) out vec4 relief;  // as ReliefTarget
+layout(location = 1) out vec4 geometry;  // as GBufferTarget
 
 vec3 linear(vec3 srgb) { return pow(srgb, vec3(kGamma)); }
 
@@ -76,7 +76,7 @@ vec2 folded(vec3 n) {
 }
 
 void main() {
-  relief = vec4(0.0);
+  geometry = vec4(0.0);
   if (edges) {
     colour = vec4(kEdge, kEdgeStrength);
     return;
@@ -93,7 +93,7 @@ void main() {
   if (faded) lit.colour = mix(vec3(luminance(lit.colour)), vec3(0.45), 0.4);
   vec4 shown = with_rings(vec4(lit.colour, 1.0));
   colour = vec4(pow(clamp(shown.rgb, 0.0, 1.0), vec3(1.0 / kGamma)), 1.0);
-  relief = vec4(folded(n), lit.strength, shown.a);
+  geometry = vec4(folded(n), lit.strength, shown.a);
 }
 )"_glsl;
 

@@ -22,11 +22,11 @@ std::string page_fragment_shader() {
 }
 
 std::string occlusion_shader() {
-  return std::string(kReliefParts) + kOcclusionPixels;
+  return std::string(kGBufferParts) + kOcclusionPixels;
 }
 
-std::string relief_shader() {
-  return shade_constants() + kReliefParts + kReliefPixels;
+std::string g_buffer_shader() {
+  return shade_constants() + kGBufferParts + kGBufferPixels;
 }
 
 const char* const kBackgroundVertexShader = R"(

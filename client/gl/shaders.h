@@ -10,9 +10,9 @@ extern const char* const kPageVertexShader;
 extern const char* const kPageLights;       ///< part of page_fragment_shader(): every LightKind
 extern const char* const kPagePixels;       ///< part of page_fragment_shader(): the rest
 extern const char* const kPageTexels;       ///< part of page_fragment_shader(): the scan's colours
-extern const char* const kReliefParts;      ///< reads what ReliefTarget holds
+extern const char* const kGBufferParts;     ///< reads what GBufferTarget holds
 extern const char* const kOcclusionPixels;  ///< part of occlusion_shader()
-extern const char* const kReliefPixels;     ///< part of relief_shader()
+extern const char* const kGBufferPixels;    ///< part of g_buffer_shader()
 extern const char* const kBackgroundVertexShader;
 extern const char* const kBackgroundFragmentPixels;  ///< part of background_fragment_shader()
 
@@ -22,13 +22,13 @@ std::string shade_constants();
 /// With kBackgroundVertexShader.
 std::string background_fragment_shader();
 
-/// With kPageVertexShader. Writes the lit colour, and for ReliefTarget the normal.
+/// With kPageVertexShader. Writes the lit colour, and for GBufferTarget the normal.
 std::string page_fragment_shader();
 
 /// With kBackgroundVertexShader. Writes ambient occlusion from 0 to 1.
 std::string occlusion_shader();
 
 /// With kBackgroundVertexShader. Averages the samples, each with the light of its surroundings.
-std::string relief_shader();
+std::string g_buffer_shader();
 
 }  // namespace burnish

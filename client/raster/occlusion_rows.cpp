@@ -30,9 +30,9 @@ Spirals make_spirals(float pixels) {
   return spirals;
 }
 
-float occlusion_of(const ReliefPlaces& places, int x, int up, const std::array<Step, kSteps>& steps,
-                   float pixels) {
-  const ReliefPlace at = places.at(x, up, 0);
+float occlusion_of(const GBufferPlaces& places, int x, int up,
+                   const std::array<Step, kSteps>& steps, float pixels) {
+  const GBufferPlace at = places.at(x, up, 0);
   if (at.away == 0) return 0;
   const float per_reach = 1 / (pixels * places.pixel_length(at));
   float sum = 0;
@@ -52,7 +52,7 @@ float occlusion_of(const ReliefPlaces& places, int x, int up, const std::array<S
 
 }  // namespace
 
-void occlude_rows(const ReliefPlaces& places, const RowRange& rows, Occlusions& occlusions) {
+void occlude_rows(const GBufferPlaces& places, const RowRange& rows, Occlusions& occlusions) {
   const float pixels = kReach * static_cast<float>(places.height());
   const Spirals spirals = make_spirals(pixels);
   for (int row = rows.first; row < rows.end; ++row)

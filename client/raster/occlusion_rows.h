@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "client/raster/relief_place.h"
+#include "client/raster/g_buffer_place.h"
 #include "client/raster/shade_rows.h"
 
 namespace burnish {
@@ -12,6 +12,6 @@ namespace burnish {
 using Occlusions = std::vector<uint8_t>;
 
 /// Fills rows with ambient occlusion, as the shader in client/gl/occlusion_shader.cpp does.
-void occlude_rows(const ReliefPlaces& places, const RowRange& rows, Occlusions& occlusions);
+void occlude_rows(const GBufferPlaces& places, const RowRange& rows, Occlusions& occlusions);
 
 }  // namespace burnish

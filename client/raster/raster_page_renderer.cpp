@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <string>
 
+#include "client/raster/g_buffer_rows.h"
 #include "client/raster/occlusion_rows.h"
 #include "client/raster/page_filler.h"
-#include "client/raster/relief_rows.h"
 #include "client/raster/shade_rows.h"
 #include "common/base/check.h"
 #include "common/base/out_of_memory.h"
@@ -154,15 +154,15 @@ void RasterPageRenderer::shade(const ShadedScene& scene) {
 void RasterPageRenderer::shade_with_surroundings(const ShadedScene& scene,
                                                  const Lighting& lighting) {
   const int height = image_.size.height;
-  reliefs_.resize(visibility_.keys.size());
+  g_buffer_.resize(visibility_.keys.size());
   occlusions_.resize(size_t(image_.size.width) * height);
   run_rows(crew_, height,
-           [&](const RowRange& rows) { shade_reliefs(scene, visibility_, rows, reliefs_); });
-  const ReliefPlaces places(scene.projection, visibility_, reliefs_);
+           [&](const RowRange& rows) { shade_g_buffer(scene, visibility_, rows, g_buffer_); });
+  const GBufferPlaces places(scene.projection, visibility_, g_buffer_);
   if (lighting.occlusion > 0)
     run_rows(crew_, height, [&](const RowRange& rows) { occlude_rows(places, rows, occlusions_); });
   run_rows(crew_, height, [&](const RowRange& rows) {
-    light_reliefs(places, reliefs_, occlusions_, lighting, rows, image_);
+    light_g_buffer(places, g_buffer_, occlusions_, lighting, rows, image_);
   });
 }
 

@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
+#include "client/raster/g_buffer.h"
 #include "client/raster/raster_page.h"
-#include "client/raster/sample_reliefs.h"
 #include "client/raster/shaded_scene.h"
 #include "client/raster/visibility.h"
 #include "client/raster/work_crew.h"
@@ -61,7 +61,7 @@ class RasterPageRenderer : public PageRenderer {
   std::vector<RasterPage> pages_;  // by slot
   RasterSampling sampling_ = RasterSampling::kFour;
   Visibility visibility_;
-  SampleReliefs reliefs_;
+  GBuffer g_buffer_;
   std::vector<uint8_t> occlusions_;
   Image image_;
   double draw_ms_ = 0;

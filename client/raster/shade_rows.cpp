@@ -133,13 +133,13 @@ class AveragedRows {
 /// Keeps the samples.
 class KeptSamples {
  public:
-  KeptSamples(SampleReliefs& reliefs, const Visibility& visibility)
-      : reliefs_(reliefs), visibility_(visibility) {}
+  KeptSamples(GBuffer& g_buffer, const Visibility& visibility)
+      : g_buffer_(g_buffer), visibility_(visibility) {}
 
   void begin(int row, const Rgb& background) {
-    row_ = reliefs_.data() + visibility_.place(0, row);
+    row_ = g_buffer_.data() + visibility_.place(0, row);
     const size_t samples = size_t(visibility_.size.width) * visibility_.samples;
-    std::fill_n(row_, samples, SampleRelief{.colour = background});
+    std::fill_n(row_, samples, GBufferSample{.colour = background});
   }
   void put(int x, int s, const Rgb& rgb, const ShadeBatch& batch, int i) {
     const auto steps = [](float part) { return static_cast<int16_t>(std::lround(part * 32767)); };
@@ -153,9 +153,9 @@ class KeptSamples {
   void end(int) {}
 
  private:
-  SampleReliefs& reliefs_;
+  GBuffer& g_buffer_;
   const Visibility& visibility_;
-  SampleRelief* row_ = nullptr;
+  GBufferSample* row_ = nullptr;
 };
 
 template <typename Sink>
@@ -173,9 +173,9 @@ void shade_rows(const ShadedScene& scene, const Visibility& visibility, const Ro
   shade_into(scene, visibility, rows, sink);
 }
 
-void shade_reliefs(const ShadedScene& scene, const Visibility& visibility, const RowRange& rows,
-                   SampleReliefs& reliefs) {
-  KeptSamples sink(reliefs, visibility);
+void shade_g_buffer(const ShadedScene& scene, const Visibility& visibility, const RowRange& rows,
+                    GBuffer& g_buffer) {
+  KeptSamples sink(g_buffer, visibility);
   shade_into(scene, visibility, rows, sink);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "client/raster/sample_reliefs.h"
+#include "client/raster/g_buffer.h"
 #include "client/raster/shaded_scene.h"
 #include "client/raster/visibility.h"
 #include "client/scene/image.h"
@@ -19,7 +19,7 @@ void shade_rows(const ShadedScene& scene, const Visibility& visibility, const Ro
                 Image& image);
 
 /// Likewise, but keeps every sample. Needs: room for all samples.
-void shade_reliefs(const ShadedScene& scene, const Visibility& visibility, const RowRange& rows,
-                   SampleReliefs& reliefs);
+void shade_g_buffer(const ShadedScene& scene, const Visibility& visibility, const RowRange& rows,
+                    GBuffer& g_buffer);
 
 }  // namespace burnish

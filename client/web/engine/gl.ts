@@ -13,7 +13,7 @@ const kRisky = ["glBufferData", "glRenderbufferStorageMultisample", "glTexImage2
 
 /** The functions of the module "gl" that the core imports. */
 export function glImports(gl: WebGL2RenderingContext, memory: CoreMemory): Record<string, WebAssembly.ImportValue> {
-  gl.getExtension("EXT_color_buffer_float"); // ReliefSamples draws into RGBA16F
+  gl.getExtension("EXT_color_buffer_float"); // GBufferSamples draws into RGBA16F
   const all = {
     ...states(gl, memory),
     ...buffers(gl, memory),

@@ -1,4 +1,4 @@
-#include "client/gl/relief_samples.h"
+#include "client/gl/g_buffer_samples.h"
 
 #include <algorithm>
 #include <array>
@@ -7,17 +7,17 @@
 
 namespace burnish {
 
-ReliefSamples::ReliefSamples() {
+GBufferSamples::GBufferSamples() {
   glGenFramebuffers(1, &framebuffer_);
-  for (GLuint* buffer : {&colours_, &reliefs_, &depths_}) glGenRenderbuffers(1, buffer);
+  for (GLuint* buffer : {&colours_, &geometries_, &depths_}) glGenRenderbuffers(1, buffer);
 }
 
-ReliefSamples::~ReliefSamples() {
-  for (const GLuint* buffer : {&colours_, &reliefs_, &depths_}) glDeleteRenderbuffers(1, buffer);
+GBufferSamples::~GBufferSamples() {
+  for (const GLuint* buffer : {&colours_, &geometries_, &depths_}) glDeleteRenderbuffers(1, buffer);
   glDeleteFramebuffers(1, &framebuffer_);
 }
 
-bool ReliefSamples::allocate(const ImageSize& size) const {
+bool GBufferSamples::allocate(const ImageSize& size) const {
   const GLint samples = std::min(kSamplesWanted, integer_limit(GL_MAX_SAMPLES));
   bind();
   const auto attach = [&](GLenum attachment, GLuint buffer, GLenum format) {
@@ -26,19 +26,19 @@ bool ReliefSamples::allocate(const ImageSize& size) const {
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
   };
   attach(GL_COLOR_ATTACHMENT0, colours_, GL_RGBA8);
-  attach(GL_COLOR_ATTACHMENT1, reliefs_, GL_RGBA16F);
+  attach(GL_COLOR_ATTACHMENT1, geometries_, GL_RGBA16F);
   attach(GL_DEPTH_ATTACHMENT, depths_, GL_DEPTH_COMPONENT24);
   return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
-void ReliefSamples::clear_cover() const {
+void GBufferSamples::clear_cover() const {
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
   glClearColor(0, 0, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void ReliefSamples::resolve(const ImageSize& size, GLuint framebuffer) const {
+void GBufferSamples::resolve(const ImageSize& size, GLuint framebuffer) const {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
   const auto copy = [&](GLenum from, std::array<GLenum, 2> to, GLbitfield what) {

@@ -3,9 +3,9 @@
 
 namespace burnish {
 
-const char* const kReliefParts = R"(
+const char* const kGBufferParts = R"(
 uniform SurfaceSampler colours;
-uniform SurfaceSampler reliefs;
+uniform SurfaceSampler geometries;
 uniform SurfaceSampler depths;
 uniform ivec2 size;
 uniform vec4 depth_terms;   // of the projection: z by z, z by 1, w by z, w by 1
@@ -34,12 +34,12 @@ Place place_at(ivec2 pixel, int index) {
   pixel = clamp(pixel, ivec2(0), size - 1);
   float depth = texelFetch(depths, pixel, index).r;
   if (depth == 1.0) return Place(vec3(0.0, 0.0, 1.0), 0.0, vec3(0.0), 0.0, 0.0);
-  vec4 relief = texelFetch(reliefs, pixel, index);
-  relief.xyz /= covered_part(texelFetch(colours, pixel, index));
+  vec4 geometry = texelFetch(geometries, pixel, index);
+  geometry.xyz /= covered_part(texelFetch(colours, pixel, index));
   float z = 2.0 * depth - 1.0;
   float away = (z * depth_terms.w - depth_terms.y) / (z * depth_terms.z - depth_terms.x);
   vec3 position = vec3(across(pixel) * (parallel ? 1.0 : away), -away);
-  return Place(unfolded(relief.xy), away, position, relief.z, relief.w);
+  return Place(unfolded(geometry.xy), away, position, geometry.z, geometry.w);
 }
 
 vec3 to_eye_from(Place at) { return parallel ? vec3(0.0, 0.0, 1.0) : normalize(-at.position); }
@@ -53,10 +53,10 @@ float off_plane(Place at, Place other) {
 }
 )"_glsl;
 
-// client/raster/relief_rows.cpp has the same formulas for processors. Curvature is the divergence
+// client/raster/g_buffer_rows.cpp has the same formulas for processors. Curvature is the divergence
 // of the normal over three distances, so that fine and coarse detail count. Steps in depth count
 // nothing.
-const char* const kReliefPixels = R"(
+const char* const kGBufferPixels = R"(
 uniform sampler2D occlusions;
 uniform int samples;
 uniform int light_kind;  // as LightKind

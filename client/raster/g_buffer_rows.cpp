@@ -1,4 +1,4 @@
-#include "client/raster/relief_rows.h"
+#include "client/raster/g_buffer_rows.h"
 
 #include <cmath>
 
@@ -12,14 +12,14 @@ struct Turn {
 /// Lights one pixel after the other.
 class SurroundingLight {
  public:
-  SurroundingLight(const ReliefPlaces& places, const Occlusions& occlusions,
+  SurroundingLight(const GBufferPlaces& places, const Occlusions& occlusions,
                    const Lighting& lighting)
       : places_(places), occlusions_(occlusions), lighting_(lighting) {}
 
   // Multiplies the colour in sRGB.
-  float factor(const ReliefPlace& place, int x, int up, int sample) const {
+  float factor(const GBufferPlace& place, int x, int up, int sample) const {
     if (place.away == 0) return 1;
-    const ReliefCentre at(places_, place);
+    const GBufferCentre at(places_, place);
     float light = 1;
     if (lighting_.kind == LightKind::kRadiance)
       light = radiance_scaling(std::tanh(1.2f * curvature(at, x, up, sample)), place.strength);
@@ -29,8 +29,8 @@ class SurroundingLight {
     return mixed(1.0f, power(greater(light, 0), 1 / shade::kGamma), place.part);
   }
 
-  bool is_one_surface(int x, int up, const ReliefPlace& first) const {
-    const ReliefCentre centre(places_, first);
+  bool is_one_surface(int x, int up, const GBufferPlace& first) const {
+    const GBufferCentre centre(places_, first);
     for (int i = 1; i < places_.samples(); ++i) {
       float away = 0;
       const ShadeVector other = places_.position(x, up, i, away);
@@ -41,14 +41,14 @@ class SurroundingLight {
   }
 
  private:
-  static Turn turn_to(const ReliefCentre& at, const ReliefPlace& other, float distance) {
+  static Turn turn_to(const GBufferCentre& at, const GBufferPlace& other, float distance) {
     if (other.away == 0) return {0, 0};
     const float near = clamped(2 - at.off_plane(other.position) / (1.5f * distance + 1));
     const ShadeVector turn = other.n - at.n;
     return {near * dot(turn, at.right), near * dot(turn, at.up)};
   }
 
-  float curvature(const ReliefCentre& at, int x, int up, int sample) const {
+  float curvature(const GBufferCentre& at, int x, int up, int sample) const {
     float sum = 0;
     for (const float wanted : {1.0f, 3.0f, 8.0f}) {
       const int reach =
@@ -77,7 +77,7 @@ class SurroundingLight {
     return greater(1 + (bend > 0 ? 0.9f * ridge : -1.2f * valley) * size, 0.05f);
   }
 
-  float occlusion_at(const ReliefCentre& at, int x, int up) const {
+  float occlusion_at(const GBufferCentre& at, int x, int up) const {
     float sum = 0, weights = 1e-4f;
     for (int dy = -2; dy < 2; ++dy)
       for (int dx = -2; dx < 2; ++dx) {
@@ -92,30 +92,30 @@ class SurroundingLight {
     return sum / weights;
   }
 
-  const ReliefPlaces& places_;
+  const GBufferPlaces& places_;
   const Occlusions& occlusions_;
   const Lighting& lighting_;
 };
 
 }  // namespace
 
-void light_reliefs(const ReliefPlaces& places, const SampleReliefs& reliefs,
-                   const Occlusions& occlusions, const Lighting& lighting, const RowRange& rows,
-                   Image& image) {
+void light_g_buffer(const GBufferPlaces& places, const GBuffer& g_buffer,
+                    const Occlusions& occlusions, const Lighting& lighting, const RowRange& rows,
+                    Image& image) {
   const SurroundingLight light(places, occlusions, lighting);
   const int samples = places.samples();
   for (int row = rows.first; row < rows.end; ++row)
     for (int x = 0; x < places.width(); ++x) {
       const int up = places.height() - 1 - row;
-      const ReliefPlace first = places.at(x, up, 0);
+      const GBufferPlace first = places.at(x, up, 0);
       const bool once = light.is_one_surface(x, up, first);
       float factor = light.factor(first, x, up, 0);
       std::array<float, 3> sum{};
       for (int s = 0; s < samples; ++s) {
         if (!once && s > 0) factor = light.factor(places.at(x, up, s), x, up, s);
-        const SampleRelief& relief = reliefs[places.number(x, up, s)];
+        const GBufferSample& geometry = g_buffer[places.number(x, up, s)];
         for (int c = 0; c < 3; ++c)
-          sum[c] += lesser(factor * static_cast<float>(relief.colour[c]), 255);
+          sum[c] += lesser(factor * static_cast<float>(geometry.colour[c]), 255);
       }
       uint8_t* const to = image.rgb.data() + 3 * (size_t(row) * places.width() + x);
       for (int c = 0; c < 3; ++c)

@@ -7,7 +7,7 @@
 namespace burnish {
 
 /// Keeps, of a sample that shows a surface, the values that light from the surroundings needs.
-struct SampleRelief {
+struct GBufferSample {
   std::array<int16_t, 3> normal{};  ///< camera space, times 32767
   uint16_t strength = 0;            ///< of the light, times 65535
   uint16_t part = 0;                ///< of the surface in the colour, times 65535
@@ -15,6 +15,6 @@ struct SampleRelief {
 };
 
 /// One for each sample, in the order of Visibility. Samples without a surface have only a colour.
-using SampleReliefs = std::vector<SampleRelief>;
+using GBuffer = std::vector<GBufferSample>;
 
 }  // namespace burnish

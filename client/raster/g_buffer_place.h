@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
+#include "client/raster/g_buffer.h"
 #include "client/raster/page_projection.h"
-#include "client/raster/sample_reliefs.h"
 #include "client/raster/shade_math.h"
 #include "client/raster/visibility.h"
 
 namespace burnish {
 
 /// Describes the surface that a sample shows, in camera space.
-struct ReliefPlace {
+struct GBufferPlace {
   ShadeVector n{0, 0, 1};
   float away = 0;  ///< distance along the view; 0: nothing is there
   ShadeVector position{0, 0, 0};
@@ -18,15 +18,15 @@ struct ReliefPlace {
   float part = 0;      ///< of the surface in the colour
 };
 
-/// The samples around a pixel. Formulas are those of kReliefParts in client/gl/relief_shader.cpp,
-/// and rows run up, as there.
-class ReliefPlaces {
+/// The samples around a pixel. Formulas are those of kGBufferParts in
+/// client/gl/g_buffer_shader.cpp, and rows run up, as there.
+class GBufferPlaces {
  public:
-  ReliefPlaces(const PageProjection& projection, const Visibility& visibility,
-               const SampleReliefs& reliefs)
+  GBufferPlaces(const PageProjection& projection, const Visibility& visibility,
+                const GBuffer& g_buffer)
       : projection_(projection),
         visibility_(visibility),
-        reliefs_(reliefs),
+        g_buffer_(g_buffer),
         across_(2 * projection.half_view.x() / static_cast<float>(visibility.size.width),
                 2 * projection.half_view.y() / static_cast<float>(visibility.size.height)) {}
 
@@ -41,23 +41,23 @@ class ReliefPlaces {
     return visibility_.place(column, height() - 1 - row) + sample;
   }
 
-  ReliefPlace at(int x, int up, int sample) const;
+  GBufferPlace at(int x, int up, int sample) const;
 
   /// Returns where a sample is, and how far away along the view: 0 if nothing is there.
   ShadeVector position(int x, int up, int sample, float& away) const;
 
-  float pixel_length(const ReliefPlace& at) const {
+  float pixel_length(const GBufferPlace& at) const {
     return across_.y() * (projection_.is_parallel ? 1.0f : at.away);
   }
 
  private:
   const PageProjection& projection_;
   const Visibility& visibility_;
-  const SampleReliefs& reliefs_;
+  const GBuffer& g_buffer_;
   Eigen::Vector2f across_;  // a pixel at distance 1
 };
 
-inline ShadeVector ReliefPlaces::position(int x, int up, int sample, float& away) const {
+inline ShadeVector GBufferPlaces::position(int x, int up, int sample, float& away) const {
   const SampleKey key = visibility_.keys[number(x, up, sample)];
   away = 0;
   if (key == kNothingSeen) return {0, 0, 0};
@@ -71,22 +71,22 @@ inline ShadeVector ReliefPlaces::position(int x, int up, int sample, float& away
           (row * across_.y() - projection_.half_view.y()) * scale, -away};
 }
 
-inline ReliefPlace ReliefPlaces::at(int x, int up, int sample) const {
+inline GBufferPlace GBufferPlaces::at(int x, int up, int sample) const {
   constexpr float kPerNormalStep = 1.0f / 32767, kPerStep = 1.0f / 65535;
-  ReliefPlace place;
+  GBufferPlace place;
   place.position = position(x, up, sample, place.away);
   if (place.away == 0) return place;
-  const SampleRelief& relief = reliefs_[number(x, up, sample)];
-  place.n = kPerNormalStep *
-            ShadeVector{float(relief.normal[0]), float(relief.normal[1]), float(relief.normal[2])};
-  place.strength = kPerStep * static_cast<float>(relief.strength);
-  place.part = kPerStep * static_cast<float>(relief.part);
+  const GBufferSample& geometry = g_buffer_[number(x, up, sample)];
+  place.n = kPerNormalStep * ShadeVector{float(geometry.normal[0]), float(geometry.normal[1]),
+                                         float(geometry.normal[2])};
+  place.strength = kPerStep * static_cast<float>(geometry.strength);
+  place.part = kPerStep * static_cast<float>(geometry.part);
   return place;
 }
 
 /// A place with what the places around it are compared with.
-struct ReliefCentre {
-  ReliefCentre(const ReliefPlaces& places, const ReliefPlace& place)
+struct GBufferCentre {
+  GBufferCentre(const GBufferPlaces& places, const GBufferPlace& place)
       : n(place.n),
         position(place.position),
         to_eye(places.projection().is_parallel ? ShadeVector{0, 0, 1}

@@ -1,4 +1,4 @@
-#include "client/gl/relief_target.h"
+#include "client/gl/g_buffer_target.h"
 
 #include <algorithm>
 #include <array>
@@ -39,35 +39,36 @@ static void attach_values(GLenum attachment, GLuint texture, const TextureFormat
   glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture, 0);
 }
 
-ReliefTarget::ReliefTarget() {
+GBufferTarget::GBufferTarget() {
   glGenFramebuffers(1, &surfaces_);
   glGenFramebuffers(1, &occluded_);
-  for (GLuint* texture : {&colours_, &reliefs_, &depths_, &occlusions_}) glGenTextures(1, texture);
-  if (is_embedded()) drawn_ = std::make_unique<ReliefSamples>();
+  for (GLuint* texture : {&colours_, &geometries_, &depths_, &occlusions_})
+    glGenTextures(1, texture);
+  if (is_embedded()) drawn_ = std::make_unique<GBufferSamples>();
 }
 
-ReliefTarget::~ReliefTarget() {
-  for (const GLuint* texture : {&colours_, &reliefs_, &depths_, &occlusions_})
+GBufferTarget::~GBufferTarget() {
+  for (const GLuint* texture : {&colours_, &geometries_, &depths_, &occlusions_})
     glDeleteTextures(1, texture);
   glDeleteFramebuffers(1, &occluded_);
   glDeleteFramebuffers(1, &surfaces_);
 }
 
-void ReliefTarget::attach_all_samples(const ImageSize& size) {
+void GBufferTarget::attach_all_samples(const ImageSize& size) {
   samples_ = samples_of_textures();
   attach_samples(GL_COLOR_ATTACHMENT0, colours_, samples_, GL_RGBA8, size);
-  attach_samples(GL_COLOR_ATTACHMENT1, reliefs_, samples_, GL_RGBA16, size);
+  attach_samples(GL_COLOR_ATTACHMENT1, geometries_, samples_, GL_RGBA16, size);
   attach_samples(GL_DEPTH_ATTACHMENT, depths_, samples_, GL_DEPTH_COMPONENT24, size);
 }
 
-void ReliefTarget::attach_averages(const ImageSize& size) const {
+void GBufferTarget::attach_averages(const ImageSize& size) const {
   attach_values(GL_COLOR_ATTACHMENT0, colours_, {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE}, size);
-  attach_values(GL_COLOR_ATTACHMENT1, reliefs_, {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT}, size);
+  attach_values(GL_COLOR_ATTACHMENT1, geometries_, {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT}, size);
   attach_values(GL_DEPTH_ATTACHMENT, depths_,
                 {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT}, size);
 }
 
-Status ReliefTarget::allocate(const ImageSize& size) {
+Status GBufferTarget::allocate(const ImageSize& size) {
   const std::string what = picture_name(size);
   RETURN_IF_ERROR(check_side(size, GL_MAX_TEXTURE_SIZE));
   glBindFramebuffer(GL_FRAMEBUFFER, occluded_);
@@ -87,7 +88,7 @@ Status ReliefTarget::allocate(const ImageSize& size) {
   return Status::ok();
 }
 
-Status ReliefTarget::bind_for_background(const ImageSize& size) {
+Status GBufferTarget::bind_for_background(const ImageSize& size) {
   if (size != size_) RETURN_IF_ERROR(allocate(size));
   if (drawn_) {
     drawn_->bind();
@@ -100,7 +101,7 @@ Status ReliefTarget::bind_for_background(const ImageSize& size) {
   return Status::ok();
 }
 
-void ReliefTarget::bind_for_surfaces() const {
+void GBufferTarget::bind_for_surfaces() const {
   static constexpr std::array<GLenum, 2> kBoth = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
   static constexpr std::array<GLfloat, 4> kNothing = {};
   if (drawn_) drawn_->clear_cover();
@@ -108,16 +109,16 @@ void ReliefTarget::bind_for_surfaces() const {
   glClearBufferfv(GL_COLOR, 1, kNothing.data());
 }
 
-void ReliefTarget::resolve() const {
+void GBufferTarget::resolve() const {
   if (drawn_) drawn_->resolve(size_, surfaces_);
 }
 
-void ReliefTarget::bind_for_occlusion() const {
+void GBufferTarget::bind_for_occlusion() const {
   glBindFramebuffer(GL_FRAMEBUFFER, occluded_);
 }
 
-void ReliefTarget::bind_textures() const {
-  const std::array<GLuint, 3> sampled = {colours_, reliefs_, depths_};
+void GBufferTarget::bind_textures() const {
+  const std::array<GLuint, 3> sampled = {colours_, geometries_, depths_};
   for (GLuint unit = 0; unit < sampled.size(); ++unit) {
     glActiveTexture(GL_TEXTURE0 + unit);
     glBindTexture(drawn_ ? GL_TEXTURE_2D : GL_TEXTURE_2D_MULTISAMPLE, sampled[unit]);
