@@ -136,7 +136,7 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
   std::optional<LayerPoints> layer_points_;  // once the session's edges are kept
   struct Still {
     uint64_t version;
-    std::shared_ptr<const SurfaceShot> shot;
+    std::shared_ptr<const SurfaceSnapshot> snapshot;
   };
   std::optional<Still> still_;  // the newest frame's surface, while it is settled
   double assemble_ms_ = 0;

@@ -49,7 +49,7 @@ void LiveSession::show_unmoved() {
   std::vector<Wish> wanting = wishes(0, false);
   if (wanting.empty()) return;
   const auto surface =
-      std::make_shared<const SurfaceShot>(SurfaceShot::unmoved(pages_of_wishes(wanting)));
+      std::make_shared<const SurfaceSnapshot>(SurfaceSnapshot::unmoved(pages_of_wishes(wanting)));
   for (Wish& wish : wanting)
     wish.seat.subscriber->show(
         {.surface = surface, .pages = std::move(wish.pages), .is_still = true, .stats = {}});
@@ -115,14 +115,14 @@ Status LiveSession::send_frames(SessionTurn& at) {
                              .displacement = displacement,
                              .beta = session.shown_fields().view().beta,
                              .settled = stats.settled,
-                             .last = still_ ? still_->shot.get() : nullptr,
+                             .last = still_ ? still_->snapshot.get() : nullptr,
                              .colour = session.colour_change(),
                              .held = held_points(session),
                              .layer = layer,
                              .layer_points = layer_points(at, layer)};
   stats.volume = session.kept_volume().value_or(0);
-  ASSIGN_OR_RETURN(SurfaceShot taken, SurfaceShot::take(moment, pages_of_wishes(wanting)));
-  const auto surface = std::make_shared<const SurfaceShot>(std::move(taken));
+  ASSIGN_OR_RETURN(SurfaceSnapshot taken, SurfaceSnapshot::take(moment, pages_of_wishes(wanting)));
+  const auto surface = std::make_shared<const SurfaceSnapshot>(std::move(taken));
   if (stats.settled) still_ = {version_, surface};
   for (Wish& wish : wanting) {
     FrameStats told = stats;

@@ -12,7 +12,7 @@
 #include "common/page_frames/page_frame_encoder.h"
 #include "common/service/live.h"
 #include "server/live/client_pages.h"
-#include "server/live/surface_shot.h"
+#include "server/live/surface_snapshot.h"
 #include "server/manager/caller.h"
 #include "server/metrics/live_objects.h"
 #include "server/scheduling/executor.h"
@@ -20,8 +20,8 @@
 namespace burnish {
 
 /// The surface at one moment, sampled for the frames of some clients.
-struct Shot {
-  std::shared_ptr<const SurfaceShot> surface;
+struct FrameSnapshot {
+  std::shared_ptr<const SurfaceSnapshot> surface;
   std::shared_ptr<const ClientPages> pages;  ///< of this client; the surface has them
   uint64_t version = 0;                      ///< of the surface; grows with every cycle
   bool is_still = false;                     ///< the frame is exact, whatever its size
@@ -104,9 +104,9 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
   /// Returns whether a frame of this surface would be new for the client and may be made.
   bool wants_frame(uint64_t version, bool settled) const;
 
-  /// Takes a credit and makes a frame of the shot on an encoder's thread. Ignores a shot that is
-  /// older than the last one.
-  void show(Shot shot);
+  /// Takes a credit and makes a frame of the snapshot on an encoder's thread. Ignores a snapshot
+  /// that is older than the last one.
+  void show(FrameSnapshot snapshot);
 
   /// Returns the next message to send.
   std::optional<ServerMessage> take();
@@ -123,10 +123,10 @@ class Subscriber : public std::enable_shared_from_this<Subscriber> {
   void answer(ServerMessage message, size_t bytes);
   void close_held(std::optional<GoAway> go_away);  // needs the lock
   void post_pages();
-  void encode(const Shot& shot);
+  void encode(const FrameSnapshot& snapshot);
   void hear(const FrameCredit& unseen);
   void begin_kind(PageFrameKind kind);
-  EncodedPageFrame encode(const Shot& shot, uint32_t bytes_max);
+  EncodedPageFrame encode(const FrameSnapshot& snapshot, uint32_t bytes_max);
   bool shows_the_last(const EncodedPageFrame& frame, uint32_t revision) const;
   void on_message() const;
   void on_wish() const;

@@ -89,22 +89,22 @@ bool Subscriber::wants_frame(uint64_t version, bool settled) const {
          (settled && !shown_settled_);
 }
 
-void Subscriber::show(Shot shot) {
+void Subscriber::show(FrameSnapshot snapshot) {
   {
     const std::lock_guard lock(mutex_);
-    if (closed_ || credits_ == 0 || making_frame_ || shown_version_ > shot.version) return;
+    if (closed_ || credits_ == 0 || making_frame_ || shown_version_ > snapshot.version) return;
     --credits_;
     making_frame_ = true;
     key_frame_allowed_ = false;
-    shown_version_ = shot.version;
-    shown_revision_ = shot.pages->shown.revision();
-    shown_settled_ = shot.stats.settled;
-    shot.stats.client_time_us = client_time_us_;
+    shown_version_ = snapshot.version;
+    shown_revision_ = snapshot.pages->shown.revision();
+    shown_settled_ = snapshot.stats.settled;
+    snapshot.stats.client_time_us = client_time_us_;
     frame_beat_ = last_beat_;
   }
   const auto self = shared_from_this();
   encoders_.post(
-      {.work = [self, shot = std::move(shot)] { self->encode(shot); },
+      {.work = [self, snapshot = std::move(snapshot)] { self->encode(snapshot); },
        .on_failure = [self](const Status& why) { self->close(go_away_of("make a frame", why)); }});
 }
 
@@ -123,11 +123,11 @@ void Subscriber::begin_kind(PageFrameKind kind) {
   holds_frame_ = false;
 }
 
-EncodedPageFrame Subscriber::encode(const Shot& shot, uint32_t bytes_max) {
-  const std::vector<WantedPage> wanted = shot.surface->wanted(*shot.pages);
+EncodedPageFrame Subscriber::encode(const FrameSnapshot& snapshot, uint32_t bytes_max) {
+  const std::vector<WantedPage> wanted = snapshot.surface->wanted(*snapshot.pages);
   EncodedPageFrame frame =
-      encoder_.encode({shot.pages->shown, wanted, shot.surface->largest_move()},
-                      steps_of(shot.is_still, last_was_exact_, bytes_max));
+      encoder_.encode({snapshot.pages->shown, wanted, snapshot.surface->largest_move()},
+                      steps_of(snapshot.is_still, last_was_exact_, bytes_max));
   last_was_exact_ = frame.step_shift == 0;
   return frame;
 }
@@ -137,7 +137,7 @@ bool Subscriber::shows_the_last(const EncodedPageFrame& frame, uint32_t revision
          revision == last_revision_ && frame.reference != 0 && frame.reference == last_sequence_;
 }
 
-void Subscriber::encode(const Shot& shot) {
+void Subscriber::encode(const FrameSnapshot& snapshot) {
   FrameCredit unseen;
   {
     const std::lock_guard lock(mutex_);
@@ -145,13 +145,13 @@ void Subscriber::encode(const Shot& shot) {
     unseen_.frame_bytes = unseen.frame_bytes;  // stays until the next credit
   }
   const auto start = steady_clock::now();
-  begin_kind(shot.pages->kind);
+  begin_kind(snapshot.pages->kind);
   hear(unseen);
-  const EncodedPageFrame encoded = encode(shot, unseen.frame_bytes);
+  const EncodedPageFrame encoded = encode(snapshot, unseen.frame_bytes);
   const double seconds = std::chrono::duration<double>(steady_clock::now() - start).count();
-  LiveFrame frame{{}, shot.stats};
+  LiveFrame frame{{}, snapshot.stats};
   frame.stats.encode_ms = seconds * 1e3;
-  const uint32_t revision = shot.pages->shown.revision();
+  const uint32_t revision = snapshot.pages->shown.revision();
   if (!shows_the_last(encoded, revision)) {
     frame.data.assign(encoded.bytes.begin(), encoded.bytes.end());
     last_sequence_ = encoded.sequence;

@@ -226,12 +226,13 @@ std::string write_red_sphere(const ServerProcess& server) {
 
 TEST(Script, AScanWithColoursShowsThemAtFirst) {
   ServerProcess server;
-  const auto shot = [&](const std::string& name) {
+  const auto screenshot_to = [&](const std::string& name) {
     return "screenshot " + (server.folder / name).string() + "\n";
   };
-  const CommandOutcome outcome = run_script(
-      server, "open " + write_red_sphere(server) + "\n" + shot("first.png") + "colour clay\n" +
-                  shot("clay.png") + "colour scan\n" + shot("scan.png"));
+  const CommandOutcome outcome =
+      run_script(server, "open " + write_red_sphere(server) + "\n" + screenshot_to("first.png") +
+                             "colour clay\n" + screenshot_to("clay.png") + "colour scan\n" +
+                             screenshot_to("scan.png"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   EXPECT_EQ(content_of(server.folder / "first.png"), content_of(server.folder / "scan.png"));
   EXPECT_NE(content_of(server.folder / "first.png"), content_of(server.folder / "clay.png"));

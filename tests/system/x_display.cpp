@@ -179,18 +179,18 @@ void XDisplay::type(const std::string& text) {
 }
 
 Image XDisplay::capture() {
-  XImage* const shot = XGetImage(display_, DefaultRootWindow(display_), 0, 0, size_.width,
-                                 size_.height, AllPlanes, ZPixmap);
-  BURNISH_CHECK(shot != nullptr, "the screen cannot be read");
+  XImage* const screen = XGetImage(display_, DefaultRootWindow(display_), 0, 0, size_.width,
+                                   size_.height, AllPlanes, ZPixmap);
+  BURNISH_CHECK(screen != nullptr, "the screen cannot be read");
   Image image{size_, {}};
   image.rgb.reserve(3 * size_t(size_.width) * size_.height);
   for (int y = 0; y < size_.height; ++y) {
     for (int x = 0; x < size_.width; ++x) {
-      const unsigned long pixel = XGetPixel(shot, x, y);
+      const unsigned long pixel = XGetPixel(screen, x, y);
       for (int shift : {16, 8, 0}) image.rgb.push_back(static_cast<uint8_t>(pixel >> shift));
     }
   }
-  XDestroyImage(shot);
+  XDestroyImage(screen);
   return image;
 }
 

@@ -1,4 +1,4 @@
-#include "server/live/surface_shot.h"
+#include "server/live/surface_snapshot.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,9 +9,9 @@ namespace burnish {
 namespace {
 
 /// A sphere of several pages at depth 5, and clients that show some of them.
-class SurfaceShotTest : public testing::Test {
+class SurfaceSnapshotTest : public testing::Test {
  protected:
-  SurfaceShotTest() {
+  SurfaceSnapshotTest() {
     const std::string id = library_.import(sphere_file(1, 5), "ball").value().scan.id;
     MeshStore& store = *library_.store;
     mesh_ = store.open_mesh(id, {5, 0}, {}).value();
@@ -49,101 +49,102 @@ class SurfaceShotTest : public testing::Test {
   std::vector<float> beta_;
 };
 
-TEST_F(SurfaceShotTest, ClientsShareThePagesThatBothShow) {
+TEST_F(SurfaceSnapshotTest, ClientsShareThePagesThatBothShow) {
   const std::shared_ptr<const ClientPages> clients[] = {client({0, 1}), client({1, 2})};
-  const SurfaceShot shot = SurfaceShot::take(moment(), clients).value();
-  const auto first = shot.wanted(*clients[0]), second = shot.wanted(*clients[1]);
+  const SurfaceSnapshot snapshot = SurfaceSnapshot::take(moment(), clients).value();
+  const auto first = snapshot.wanted(*clients[0]), second = snapshot.wanted(*clients[1]);
   EXPECT_EQ(first[1].steps.data(), second[0].steps.data());
   EXPECT_NE(first[0].steps.data(), second[1].steps.data());
   EXPECT_EQ(first[0].steps[0], 64);
 }
 
-TEST_F(SurfaceShotTest, ThePagesOfTheLastShotAreNotDoneAgain) {
+TEST_F(SurfaceSnapshotTest, ThePagesOfTheLastSnapshotAreNotDoneAgain) {
   const std::shared_ptr<const ClientPages> before[] = {client({0, 1})};
   const std::shared_ptr<const ClientPages> after[] = {client({1, 2})};
-  const SurfaceShot last = SurfaceShot::take(moment(), before).value();
+  const SurfaceSnapshot last = SurfaceSnapshot::take(moment(), before).value();
   SurfaceMoment same = moment();
   same.last = &last;
-  const SurfaceShot shot = SurfaceShot::take(same, after).value();
-  EXPECT_EQ(shot.wanted(*after[0])[0].steps.data(), last.wanted(*before[0])[1].steps.data());
-  EXPECT_EQ(shot.wanted(*after[0])[1].steps[0], 64);
-  EXPECT_EQ(shot.largest_move(), last.largest_move());
+  const SurfaceSnapshot snapshot = SurfaceSnapshot::take(same, after).value();
+  EXPECT_EQ(snapshot.wanted(*after[0])[0].steps.data(), last.wanted(*before[0])[1].steps.data());
+  EXPECT_EQ(snapshot.wanted(*after[0])[1].steps[0], 64);
+  EXPECT_EQ(snapshot.largest_move(), last.largest_move());
 }
 
-TEST_F(SurfaceShotTest, ColoursArePagesOfTheirOwn) {
+TEST_F(SurfaceSnapshotTest, ColoursArePagesOfTheirOwn) {
   const std::shared_ptr<const ClientPages> clients[] = {client({1, 1 | kColourPages})};
-  EXPECT_THAT(SurfaceShot::take(moment(), clients)->wanted(*clients[0])[1].steps, testing::Each(0));
+  EXPECT_THAT(SurfaceSnapshot::take(moment(), clients)->wanted(*clients[0])[1].steps,
+              testing::Each(0));
   const std::vector<Vec3f> red(displacement_.size(), Vec3f(0.5F, 0, 0));
   SurfaceMoment coloured = moment();
   coloured.colour.on_grid = red;
-  const SurfaceShot shot = SurfaceShot::take(coloured, clients).value();
-  EXPECT_EQ(shot.wanted(*clients[0])[0].steps[0], 64);
-  EXPECT_EQ(shot.wanted(*clients[0])[1].steps[0], 0.5 * 16 * 256);
-  EXPECT_EQ(shot.wanted(*clients[0])[1].steps.back(), 0);
-  EXPECT_FLOAT_EQ(shot.largest_move(), 0.25F);
+  const SurfaceSnapshot snapshot = SurfaceSnapshot::take(coloured, clients).value();
+  EXPECT_EQ(snapshot.wanted(*clients[0])[0].steps[0], 64);
+  EXPECT_EQ(snapshot.wanted(*clients[0])[1].steps[0], 0.5 * 16 * 256);
+  EXPECT_EQ(snapshot.wanted(*clients[0])[1].steps.back(), 0);
+  EXPECT_FLOAT_EQ(snapshot.largest_move(), 0.25F);
 }
 
 // The page is white, the fitted colours are black, so the cells' share is added whole.
-TEST_F(SurfaceShotTest, DetailsOfColoursComeFromTheVertexItself) {
+TEST_F(SurfaceSnapshotTest, DetailsOfColoursComeFromTheVertexItself) {
   const std::shared_ptr<const ClientPages> clients[] = {white_client({1, 1 | kColourPages})};
   const std::vector<Vec3f> red(displacement_.size(), Vec3f(0.5F, 0, 0)),
       black(displacement_.size(), Vec3f::Zero());
   const std::vector<float> share(grid().cells.size(), -0.25F);
   SurfaceMoment coloured = moment();
   coloured.colour = {red, black, share};
-  const SurfaceShot shot = SurfaceShot::take(coloured, clients).value();
-  EXPECT_EQ(shot.wanted(*clients[0])[1].steps[0], 0.25 * 16 * 256);
-  EXPECT_EQ(shot.wanted(*clients[0])[1].steps.back(), -0.25 * 16 * 256);
+  const SurfaceSnapshot snapshot = SurfaceSnapshot::take(coloured, clients).value();
+  EXPECT_EQ(snapshot.wanted(*clients[0])[1].steps[0], 0.25 * 16 * 256);
+  EXPECT_EQ(snapshot.wanted(*clients[0])[1].steps.back(), -0.25 * 16 * 256);
 }
 
-TEST_F(SurfaceShotTest, AGainOfTexelsIsAPageOfItsOwn) {
+TEST_F(SurfaceSnapshotTest, AGainOfTexelsIsAPageOfItsOwn) {
   const std::shared_ptr<const ClientPages> clients[] = {
       white_client({1, 1 | kColourPages, 1 | kGainPages})};
   const std::vector<Vec3f> grey(displacement_.size(), Vec3f::Constant(0.75F));
   SurfaceMoment coloured = moment();
   coloured.colour.fitted = grey;
-  const SurfaceShot plain = SurfaceShot::take(coloured, clients).value();
+  const SurfaceSnapshot plain = SurfaceSnapshot::take(coloured, clients).value();
   EXPECT_THAT(plain.wanted(*clients[0])[2].steps, testing::Each(0));
   coloured.colour.texture.filter.gain = 2;
-  const SurfaceShot shot = SurfaceShot::take(coloured, clients).value();
-  const auto wanted = shot.wanted(*clients[0]);
+  const SurfaceSnapshot snapshot = SurfaceSnapshot::take(coloured, clients).value();
+  const auto wanted = snapshot.wanted(*clients[0]);
   EXPECT_THAT(wanted[1].steps, testing::Each(0.25 * 16 * 256));
   const size_t vertices = wanted[2].steps.size() / 3;
   EXPECT_THAT(wanted[2].steps.first(vertices), testing::Each(1 * 16 * 256));
   EXPECT_THAT(wanted[2].steps.subspan(vertices), testing::Each(0));
 }
 
-TEST_F(SurfaceShotTest, AnUnmovedSurfaceNeedsNoSolver) {
+TEST_F(SurfaceSnapshotTest, AnUnmovedSurfaceNeedsNoSolver) {
   const std::shared_ptr<const ClientPages> clients[] = {client({0, 1})};
-  const SurfaceShot shot = SurfaceShot::unmoved(clients);
-  for (const WantedPage& wanted : shot.wanted(*clients[0])) {
+  const SurfaceSnapshot snapshot = SurfaceSnapshot::unmoved(clients);
+  for (const WantedPage& wanted : snapshot.wanted(*clients[0])) {
     EXPECT_THAT(wanted.steps, testing::Each(0));
     EXPECT_EQ(wanted.gain, 0);
   }
-  EXPECT_EQ(shot.largest_move(), 0);
+  EXPECT_EQ(snapshot.largest_move(), 0);
 }
 
-TEST_F(SurfaceShotTest, AGainFollowsTheLargestBetaInThePagesCells) {
+TEST_F(SurfaceSnapshotTest, AGainFollowsTheLargestBetaInThePagesCells) {
   const std::shared_ptr<const ClientPages> clients[] = {client({0, 1})};
   const auto& cells = clients[0]->pages[0]->cells;
   const auto& others = clients[0]->pages[1]->cells;
   const auto own = std::ranges::find_if(
       cells, [&](int32_t cell) { return !std::ranges::binary_search(others, cell); });
   beta_[*own] = 5;
-  const SurfaceShot shot = SurfaceShot::take(moment(), clients).value();
-  EXPECT_EQ(shot.wanted(*clients[0])[0].gain, 3);
-  EXPECT_EQ(shot.wanted(*clients[0])[1].gain, 0);
+  const SurfaceSnapshot snapshot = SurfaceSnapshot::take(moment(), clients).value();
+  EXPECT_EQ(snapshot.wanted(*clients[0])[0].gain, 3);
+  EXPECT_EQ(snapshot.wanted(*clients[0])[1].gain, 0);
 }
 
-TEST_F(SurfaceShotTest, TheLargestMoveIsOfTheWholeScan) {
+TEST_F(SurfaceSnapshotTest, TheLargestMoveIsOfTheWholeScan) {
   for (const bool settled : {true, false})
-    EXPECT_FLOAT_EQ(SurfaceShot::take(moment(settled), {}).value().largest_move(), 0.25F);
+    EXPECT_FLOAT_EQ(SurfaceSnapshot::take(moment(settled), {}).value().largest_move(), 0.25F);
 }
 
-TEST_F(SurfaceShotTest, ADisplacementThatIsNotFiniteIsAnError) {
+TEST_F(SurfaceSnapshotTest, ADisplacementThatIsNotFiniteIsAnError) {
   const std::shared_ptr<const ClientPages> clients[] = {client({0})};
   displacement_.assign(displacement_.size(), Vec3f::Constant(NAN));
-  EXPECT_EQ(SurfaceShot::take(moment(), clients).status().code(), StatusCode::kInternal);
+  EXPECT_EQ(SurfaceSnapshot::take(moment(), clients).status().code(), StatusCode::kInternal);
 }
 
 }  // namespace

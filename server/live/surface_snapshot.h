@@ -13,7 +13,7 @@
 
 namespace burnish {
 
-class SurfaceShot;
+class SurfaceSnapshot;
 
 /// A session's surface at one moment.
 struct SurfaceMoment {
@@ -22,7 +22,7 @@ struct SurfaceMoment {
   std::span<const Vec3f> displacement;    ///< one per corner, cells
   std::span<const float> beta;            ///< one per cell
   bool settled = false;
-  const SurfaceShot* last = nullptr;  ///< of the same surface: is not done again
+  const SurfaceSnapshot* last = nullptr;  ///< of the same surface: is not done again
   ColourChange colour = {};
   HeldPoints* held = nullptr;           ///< null: no rim is held
   VertexLayer layer = {};               ///< pages of kind kCorners are without it
@@ -30,15 +30,15 @@ struct SurfaceMoment {
 };
 
 /// The pages that some clients show, sampled at one moment. Immutable: encoders share it.
-class SurfaceShot {
+class SurfaceSnapshot {
  public:
   /// Takes a page once, however many clients show it. Fails: internal if a displacement is not
   /// finite.
-  static Result<SurfaceShot> take(const SurfaceMoment& moment,
-                                  std::span<const std::shared_ptr<const ClientPages>> clients);
+  static Result<SurfaceSnapshot> take(const SurfaceMoment& moment,
+                                      std::span<const std::shared_ptr<const ClientPages>> clients);
 
   /// Returns the surface of a session that has not moved yet. Needs no turn of the session.
-  static SurfaceShot unmoved(std::span<const std::shared_ptr<const ClientPages>> clients);
+  static SurfaceSnapshot unmoved(std::span<const std::shared_ptr<const ClientPages>> clients);
 
   /// Returns what each page of one of these clients should have, in the order of its pages.
   std::vector<WantedPage> wanted(const ClientPages& client) const;

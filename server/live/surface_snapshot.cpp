@@ -1,4 +1,4 @@
-#include "server/live/surface_shot.h"
+#include "server/live/surface_snapshot.h"
 
 #include <algorithm>
 #include <cmath>
@@ -108,35 +108,35 @@ float largest_move_of(const SurfaceMoment& moment) {
 
 }  // namespace
 
-const SurfaceShot::Part* SurfaceShot::find(const LivePage& page) const {
+const SurfaceSnapshot::Part* SurfaceSnapshot::find(const LivePage& page) const {
   const auto found = std::ranges::lower_bound(pages_, &page);
   if (found == pages_.end() || *found != &page) return nullptr;
   const Part& part = parts_[found - pages_.begin()];
   return part.page.expired() ? nullptr : &part;  // another page may have come to its place
 }
 
-Result<SurfaceShot> SurfaceShot::take(const SurfaceMoment& moment,
-                                      std::span<const std::shared_ptr<const ClientPages>> clients) {
-  SurfaceShot shot;
+Result<SurfaceSnapshot> SurfaceSnapshot::take(
+    const SurfaceMoment& moment, std::span<const std::shared_ptr<const ClientPages>> clients) {
+  SurfaceSnapshot snapshot;
   std::vector<size_t> places, colours;  // parts to sample
   for (const auto& page : pages_of(clients)) {
     const bool is_colour = is_colours(page->number());
     const Part* known = moment.last ? moment.last->find(*page) : nullptr;
-    if (!known) (is_colour ? colours : places).push_back(shot.parts_.size());
+    if (!known) (is_colour ? colours : places).push_back(snapshot.parts_.size());
     const uint8_t gain = is_colour ? 0 : gain_of(*page, moment.beta);
-    shot.pages_.push_back(page.get());
-    shot.parts_.push_back(known ? *known : Part{page, nullptr, gain});
-    if (!known && moment.held) shot.parts_.back().held = moment.held->of(page);
+    snapshot.pages_.push_back(page.get());
+    snapshot.parts_.push_back(known ? *known : Part{page, nullptr, gain});
+    if (!known && moment.held) snapshot.parts_.back().held = moment.held->of(page);
   }
-  RETURN_IF_ERROR(shot.sample(places, moment.grid, moment.displacement, 1));
-  if (moment.layer.is_there()) shot.add_layer(places, moment);
-  RETURN_IF_ERROR(shot.sample_colours(colours, moment.grid, moment.colour));
-  shot.largest_move_ = moment.last ? moment.last->largest_move_ : largest_move_of(moment);
-  return shot;
+  RETURN_IF_ERROR(snapshot.sample(places, moment.grid, moment.displacement, 1));
+  if (moment.layer.is_there()) snapshot.add_layer(places, moment);
+  RETURN_IF_ERROR(snapshot.sample_colours(colours, moment.grid, moment.colour));
+  snapshot.largest_move_ = moment.last ? moment.last->largest_move_ : largest_move_of(moment);
+  return snapshot;
 }
 
-Status SurfaceShot::sample(std::span<const size_t> parts, const SparseGrid& grid,
-                           std::span<const Vec3f> values, float scale) {
+Status SurfaceSnapshot::sample(std::span<const size_t> parts, const SparseGrid& grid,
+                               std::span<const Vec3f> values, float scale) {
   std::vector<std::shared_ptr<const PageEvaluation>> pages;
   std::vector<PageFrameKind> kinds;
   for (const size_t part : parts) {
@@ -153,7 +153,7 @@ Status SurfaceShot::sample(std::span<const size_t> parts, const SparseGrid& grid
   return Status::ok();
 }
 
-void SurfaceShot::add_layer(std::span<const size_t> parts, const SurfaceMoment& moment) {
+void SurfaceSnapshot::add_layer(std::span<const size_t> parts, const SurfaceMoment& moment) {
   struct Layered {
     std::shared_ptr<const LivePage> page;
     LayerPoints::OfPage of_scan;
@@ -174,8 +174,8 @@ void SurfaceShot::add_layer(std::span<const size_t> parts, const SurfaceMoment& 
   }
 }
 
-Status SurfaceShot::sample_colours(std::span<const size_t> parts, const SparseGrid& grid,
-                                   const ColourChange& change) {
+Status SurfaceSnapshot::sample_colours(std::span<const size_t> parts, const SparseGrid& grid,
+                                       const ColourChange& change) {
   std::vector<size_t> of_grid;
 #pragma omp parallel for schedule(dynamic)
   for (size_t i = 0; i < parts.size(); ++i) {
@@ -193,16 +193,17 @@ Status SurfaceShot::sample_colours(std::span<const size_t> parts, const SparseGr
   return sample(of_grid, grid, change.on_grid, kCellsPerColour);
 }
 
-SurfaceShot SurfaceShot::unmoved(std::span<const std::shared_ptr<const ClientPages>> clients) {
-  SurfaceShot shot;
+SurfaceSnapshot SurfaceSnapshot::unmoved(
+    std::span<const std::shared_ptr<const ClientPages>> clients) {
+  SurfaceSnapshot snapshot;
   for (const auto& page : pages_of(clients)) {
-    shot.pages_.push_back(page.get());
-    shot.parts_.push_back({page, zeros_of(*page), 0});
+    snapshot.pages_.push_back(page.get());
+    snapshot.parts_.push_back({page, zeros_of(*page), 0});
   }
-  return shot;
+  return snapshot;
 }
 
-std::vector<WantedPage> SurfaceShot::wanted(const ClientPages& client) const {
+std::vector<WantedPage> SurfaceSnapshot::wanted(const ClientPages& client) const {
   const bool says_held = client.knows_held && client.kind == PageFrameKind::kCorners;
   std::vector<WantedPage> wanted;
   wanted.reserve(client.pages.size());
