@@ -14,7 +14,7 @@ namespace burnish {
 namespace {
 
 /// What pages take of each vertex of the mesh.
-struct VertexLooks {
+struct VertexAttributes {
   std::vector<Vec3f> positions;
   std::vector<Vec3f> normals;
   std::vector<float> ridges;
@@ -24,8 +24,10 @@ struct VertexLooks {
 /// Fills one page after the other.
 class PageCutter {
  public:
-  explicit PageCutter(const VertexLooks& looks)
-      : looks_(looks), page_of_(looks.positions.size(), kNoPage), place_of_(page_of_.size()) {}
+  explicit PageCutter(const VertexAttributes& attributes)
+      : attributes_(attributes),
+        page_of_(attributes.positions.size(), kNoPage),
+        place_of_(page_of_.size()) {}
 
   void add(const Triangle& triangle) {
     if (!has_room(triangle)) begin_page();
@@ -51,7 +53,7 @@ class PageCutter {
     page.positions.reserve(kPageVerticesMax);
     page.normals.reserve(kPageVerticesMax);
     page.ridges.reserve(kPageVerticesMax);
-    if (!looks_.colours.empty()) page.colours.reserve(kPageVerticesMax);
+    if (!attributes_.colours.empty()) page.colours.reserve(kPageVerticesMax);
     page.triangles.reserve(kPageTrianglesMax);
   }
 
@@ -59,14 +61,14 @@ class PageCutter {
     if (std::exchange(page_of_[vertex], newest()) == newest()) return place_of_[vertex];
     PageMesh& page = pages_.back();
     place_of_[vertex] = static_cast<uint16_t>(page.positions.size());
-    page.positions.push_back(looks_.positions[vertex]);
-    page.normals.push_back(looks_.normals[vertex]);
-    page.ridges.push_back(looks_.ridges[vertex]);
-    if (!looks_.colours.empty()) page.colours.push_back(looks_.colours[vertex]);
+    page.positions.push_back(attributes_.positions[vertex]);
+    page.normals.push_back(attributes_.normals[vertex]);
+    page.ridges.push_back(attributes_.ridges[vertex]);
+    if (!attributes_.colours.empty()) page.colours.push_back(attributes_.colours[vertex]);
     return place_of_[vertex];
   }
 
-  const VertexLooks& looks_;
+  const VertexAttributes& attributes_;
   std::vector<PageMesh> pages_;
   std::vector<uint32_t> page_of_;   // per vertex, the last page that has it
   std::vector<uint16_t> place_of_;  // per vertex, its number in that page
@@ -109,7 +111,7 @@ struct JoinedSurface {
 
 }  // namespace
 
-static VertexLooks looks_of(const TriangleMesh& mesh, const PageSpace& space) {
+static VertexAttributes attributes_of(const TriangleMesh& mesh, const PageSpace& space) {
   const JoinedSurface joined(mesh);
   std::vector<Vec3f> positions;
   positions.reserve(joined.vertices.size());
@@ -117,13 +119,13 @@ static VertexLooks looks_of(const TriangleMesh& mesh, const PageSpace& space) {
     positions.push_back(((vertex - space.centre) / space.unit).cast<float>());
   const std::vector<Vec3f> normals = vertex_normals(joined.vertices, joined.triangles);
   const std::vector<float> ridges = vertex_ridges(positions, normals, joined.triangles);
-  VertexLooks looks{{}, {}, {}, mesh.colours};
+  VertexAttributes attributes{{}, {}, {}, mesh.colours};
   for (const uint32_t vertex : joined.of_vertex) {
-    looks.positions.push_back(positions[vertex]);
-    looks.normals.push_back(normals[vertex]);
-    looks.ridges.push_back(ridges[vertex]);
+    attributes.positions.push_back(positions[vertex]);
+    attributes.normals.push_back(normals[vertex]);
+    attributes.ridges.push_back(ridges[vertex]);
   }
-  return looks;
+  return attributes;
 }
 
 static void add_in_order(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box,
@@ -135,8 +137,8 @@ RawPages make_raw_pages(const TriangleMesh& mesh, uint64_t triangles_max) {
   RawPages raw;
   raw.box = box_of(mesh);
   raw.space = space_around(raw.box);
-  const VertexLooks looks = looks_of(mesh, raw.space);
-  PageCutter cutter(looks);
+  const VertexAttributes attributes = attributes_of(mesh, raw.space);
+  PageCutter cutter(attributes);
   if (mesh.triangles.size() <= triangles_max) {
     add_in_order(mesh, raw.box, cutter);
   } else {

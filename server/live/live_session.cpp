@@ -84,7 +84,7 @@ Status LiveSession::work(SessionTurn& at, bool& more) {
   const Status relaxed = relax(at);
   // An edit that moves nothing also gets its frame, because clients wait for it. An export may have
   // relaxed the surface further.
-  const Seen now{at.edits(), at.last().cycle, at.session().looks()};
+  const Seen now{at.edits(), at.last().cycle, at.session().surface_revision()};
   if (std::exchange(seen_, now) != now) ++version_;
   if (now.cycle > 0) is_unmoved_ = false;
   tell_state(at);

@@ -125,7 +125,7 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
   struct Seen {
     uint64_t edits = 0;
     int cycle = 0;
-    uint64_t looks = 0;
+    uint64_t surface_revision = 0;
     bool operator==(const Seen&) const = default;
   };
   uint64_t version_ = 0;  // of the surface; 0 is the unmoved one

@@ -56,7 +56,7 @@ struct Session::State {
       solved = {};
     }
     show_to_others(fields);
-    looks += changes.any();
+    surface_revision += changes.any();
     is_from_scan &= !changes.metric && !changes.beta && !bands.is_solving() && !colour.is_solving();
   }
 
@@ -74,7 +74,7 @@ struct Session::State {
     show_to_others(fields);
     bands.start_over();
     colour.start_over();
-    ++looks;
+    ++surface_revision;
   }
 
   void show_to_others(const Fields& fields) {
@@ -91,12 +91,12 @@ struct Session::State {
   void step_bands() {
     const Result<bool> found = bands.step();
     if (!found.is_ok()) status = found.status();
-    if (!found.is_ok() || *found) ++looks;
+    if (!found.is_ok() || *found) ++surface_revision;
   }
 
   void step_colour() {
     if (const Status stepped = colour.step(); !stepped.is_ok()) status = stepped;
-    ++looks;
+    ++surface_revision;
   }
 
   StepReport step_solver() {
@@ -132,7 +132,8 @@ struct Session::State {
 
   /// Makes the layer of frames, in cells. At rest it leaves out what exports leave out.
   void make_shown_layer(std::span<const Vec3f> displacement, bool at_rest) {
-    const ShownLayer wanted{at_rest, at_rest ? looks : 0, at_rest ? cycles_since_change : 0};
+    const ShownLayer wanted{at_rest, at_rest ? surface_revision : 0,
+                            at_rest ? cycles_since_change : 0};
     const TargetView target = edges.target();
     if (layer.size() == prepared->vertices.size() && wanted == shown_layer &&
         target.is_same(layer_target))
@@ -146,7 +147,7 @@ struct Session::State {
   /// The state that the layer of frames was made of.
   struct ShownLayer {
     bool at_rest = false;
-    uint64_t looks = 0;
+    uint64_t surface_revision = 0;
     int cycles = 0;
     bool operator==(const ShownLayer&) const = default;
   };
@@ -158,7 +159,7 @@ struct Session::State {
   int cycles_since_change = 0;
   StepReport last;
   bool is_from_scan = false;  // an exact solve led here from the scan, and nothing else
-  uint64_t looks = 0;
+  uint64_t surface_revision = 0;
   Status status;  // of the bands and colours
   std::unique_ptr<Solver> solver;
   std::span<const Vec3f> solved;  // its displacement; empty: to be read
@@ -249,8 +250,8 @@ bool Session::is_settled(const StepReport& last) const {
          !state_->edges.is_making() && state_->solver_is_settled(last);
 }
 
-uint64_t Session::looks() const {
-  return state_->looks;
+uint64_t Session::surface_revision() const {
+  return state_->surface_revision;
 }
 
 Status Session::status() const {

@@ -74,7 +74,7 @@ class Session {
 
   /// Returns a number that rises when the surface may have changed otherwise than by a cycle of the
   /// solver.
-  uint64_t looks() const;
+  uint64_t surface_revision() const;
 
   /// Returns the first failure of what solves. After it the surface has no meaning.
   Status status() const;

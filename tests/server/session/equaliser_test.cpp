@@ -91,11 +91,11 @@ TEST(Equaliser, AGainCostsNoCycle) {
   exact_surface(*session, {SetEqualiser{kThreeBands}});
   const StepReport last = session->step();
   const std::vector<Vec3f> before(session->displacement().begin(), session->displacement().end());
-  const uint64_t looks = session->looks();
+  const uint64_t surface_revision = session->surface_revision();
   ASSERT_TRUE(session->apply({"gain", SetEqualiser{with_gains(kThreeBands, {2})}}).is_ok());
   session->update();
   EXPECT_TRUE(session->is_settled(last));
-  EXPECT_GT(session->looks(), looks);
+  EXPECT_GT(session->surface_revision(), surface_revision);
   EXPECT_FALSE(std::ranges::equal(session->displacement(), before));
 }
 
