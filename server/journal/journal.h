@@ -26,7 +26,7 @@ struct SessionRecord {
   std::string scan_id;
   PreparedKey key;
   int64_t created_unix_seconds = 0;
-  Controls controls;        ///< that it was born with: none from before there were controls
+  Controls controls;        ///< the initial ones: none from before there were controls
   bool is_damaged = false;  ///< when read: no value can be trusted
   /// The user who made it, "" for nobody with a name. Null if the journal does not say: a program
   /// from before wrote the row, or this part of it is damaged.

@@ -65,7 +65,7 @@ static constexpr std::array kSteps = {
     FROM sessions);
   PRAGMA user_version = 3;
 )sql",
-    // Sessions get the controls that they were born with; old ones have none. A damaged row stays
+    // Sessions get their initial controls; old ones have none. A damaged row stays
     // damaged.
     R"sql(
   ALTER TABLE sessions ADD COLUMN pins_rims INTEGER NOT NULL DEFAULT 0;
