@@ -96,9 +96,9 @@ Status LiveSession::work(SessionTurn& at, bool& more) {
 /// Returns whether a turn helps nobody here: clients that were told to go only wait for answers.
 bool LiveSession::is_over() const {
   const std::lock_guard lock(mutex_);
-  if (seats_.empty()) return true;
-  return edits_.empty() && std::ranges::all_of(seats_, [](const auto& seat) {
-           return seat.second.subscriber->is_closed();
+  if (slots_.empty()) return true;
+  return edits_.empty() && std::ranges::all_of(slots_, [](const auto& slot) {
+           return slot.second.subscriber->is_closed();
          });
 }
 
@@ -146,7 +146,7 @@ void LiveSession::join(const std::shared_ptr<Subscriber>& subscriber) {
   std::optional<HistoryState> history;
   {
     const std::lock_guard lock(mutex_);
-    seats_[subscriber->connection] = {subscriber};
+    slots_[subscriber->connection] = {subscriber};
     history = history_;
   }
   if (history) subscriber->tell(*history);
@@ -159,9 +159,9 @@ bool LiveSession::leave(uint64_t connection) {
   bool is_empty = false;
   {
     const std::lock_guard lock(mutex_);
-    seats_.erase(connection);
+    slots_.erase(connection);
     if (gestures_.erase(connection) > 0) changed_gestures_.insert(connection);
-    is_empty = seats_.empty();
+    is_empty = slots_.empty();
   }
   tell_people();
   wake();
@@ -240,7 +240,7 @@ size_t LiveSession::queued_edits() const {
 std::vector<std::shared_ptr<Subscriber>> LiveSession::subscribers() const {
   const std::lock_guard lock(mutex_);
   std::vector<std::shared_ptr<Subscriber>> all;
-  for (const auto& [connection, seat] : seats_) all.push_back(seat.subscriber);
+  for (const auto& [connection, slot] : slots_) all.push_back(slot.subscriber);
   return all;
 }
 

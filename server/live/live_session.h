@@ -74,13 +74,13 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
   uint64_t client_bytes() const;  ///< bytes of frames held for its clients
 
  private:
-  struct Seat {
+  struct Slot {
     std::shared_ptr<Subscriber> subscriber;
     uint64_t previews = 0;        // received messages
     uint64_t previews_taken = 0;  // those that the session's previews have
   };
   struct Wish {
-    Seat seat;
+    Slot slot;
     std::shared_ptr<const ClientPages> pages;  // of the frame that it wishes
   };
   struct EditMessage {
@@ -147,7 +147,7 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
   std::atomic<bool> is_unmoved_;             // before the first cycle
 
   mutable std::mutex mutex_;  // guards the following members
-  std::map<uint64_t, Seat> seats_;
+  std::map<uint64_t, Slot> slots_;
   std::deque<EditMessage> edits_;
   std::map<uint64_t, Gesture> gestures_;
   std::set<uint64_t> changed_gestures_;  // not yet seen by the session; also ended gestures

@@ -28,10 +28,10 @@ std::vector<std::string> ids_of(const std::vector<Edit>& edits) {
 void LiveSession::edit(uint64_t connection, std::vector<Edit> edits, size_t bytes) {
   {
     const std::lock_guard lock(mutex_);
-    const auto seat = seats_.find(connection);
-    if (seat == seats_.end()) return;
-    if (!seat->second.subscriber->expect_answer(bytes)) return;
-    edits_.push_back({seat->second.subscriber, std::move(edits), bytes});
+    const auto slot = slots_.find(connection);
+    if (slot == slots_.end()) return;
+    if (!slot->second.subscriber->expect_answer(bytes)) return;
+    edits_.push_back({slot->second.subscriber, std::move(edits), bytes});
   }
   wake();
 }
@@ -86,10 +86,10 @@ void LiveSession::apply(SessionTurn& at, EditMessage message) {
 Status LiveSession::preview(uint64_t connection, Preview piece) {
   {
     const std::lock_guard lock(mutex_);
-    const auto seat = seats_.find(connection);
-    if (seat == seats_.end()) return Status::ok();
-    ++seat->second.previews;
-    const Caller& caller = seat->second.subscriber->caller;
+    const auto slot = slots_.find(connection);
+    if (slot == slots_.end()) return Status::ok();
+    ++slot->second.previews;
+    const Caller& caller = slot->second.subscriber->caller;
     RETURN_IF_ERROR(require_role(roles_, caller, SessionRole::kEditor, "editing"));
     const auto mine = gestures_.find(connection);
     const bool goes_on = mine != gestures_.end() && mine->second.edit_id == piece.edit_id &&
@@ -112,8 +112,8 @@ Status LiveSession::preview(uint64_t connection, Preview piece) {
 void LiveSession::drop_preview(uint64_t connection, const std::string& edit_id) {
   {
     const std::lock_guard lock(mutex_);
-    const auto seat = seats_.find(connection);
-    if (seat != seats_.end()) ++seat->second.previews;
+    const auto slot = slots_.find(connection);
+    if (slot != slots_.end()) ++slot->second.previews;
   }
   drop_gesture(connection, {edit_id});
   wake();
@@ -148,7 +148,7 @@ void LiveSession::show_gestures(SessionTurn& at) {
     }
   }
   changed_gestures_.clear();
-  for (auto& [connection, seat] : seats_) seat.previews_taken = seat.previews;
+  for (auto& [connection, slot] : slots_) slot.previews_taken = slot.previews;
   previews.drop_applied(at.session().edited().history());
 }
 

@@ -31,9 +31,9 @@ FrameStats LiveSession::stats_of(SessionTurn& at) const {
 std::vector<LiveSession::Wish> LiveSession::wishes(uint64_t version, bool settled) const {
   const std::lock_guard lock(mutex_);
   std::vector<Wish> wishes;
-  for (const auto& [connection, seat] : seats_)
-    if (seat.subscriber->wants_frame(version, settled))
-      wishes.push_back({seat, seat.subscriber->pages()});
+  for (const auto& [connection, slot] : slots_)
+    if (slot.subscriber->wants_frame(version, settled))
+      wishes.push_back({slot, slot.subscriber->pages()});
   return wishes;
 }
 
@@ -51,7 +51,7 @@ void LiveSession::show_unmoved() {
   const auto surface =
       std::make_shared<const SurfaceSnapshot>(SurfaceSnapshot::unmoved(pages_of_wishes(wanting)));
   for (Wish& wish : wanting)
-    wish.seat.subscriber->show(
+    wish.slot.subscriber->show(
         {.surface = surface, .pages = std::move(wish.pages), .is_still = true, .stats = {}});
 }
 
@@ -126,9 +126,9 @@ Status LiveSession::send_frames(SessionTurn& at) {
   if (stats.settled) still_ = {version_, surface};
   for (Wish& wish : wanting) {
     FrameStats told = stats;
-    told.previews = wish.seat.previews_taken;
+    told.previews = wish.slot.previews_taken;
     told.exact &= !has_layer || wish.pages->kind == PageFrameKind::kVertices;
-    wish.seat.subscriber->show({surface, std::move(wish.pages), version_, stats.settled, told});
+    wish.slot.subscriber->show({surface, std::move(wish.pages), version_, stats.settled, told});
   }
   return Status::ok();
 }

@@ -11,7 +11,7 @@
 
 namespace burnish {
 
-/// A client's place in a live session.
+/// A client's slot in a live session.
 struct LiveClient {
   std::shared_ptr<LiveSession> session;
   std::shared_ptr<Subscriber> subscriber;

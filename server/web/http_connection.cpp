@@ -38,7 +38,7 @@ class HttpConnection final : public WebConnection,
                              public std::enable_shared_from_this<HttpConnection<Stream>> {
  public:
   HttpConnection(GatewayState& gateway, WebPeer peer, Stream stream)
-      : seat_(gateway.connections),
+      : slot_(gateway.connections),
         gateway_(gateway),
         peer_(std::move(peer)),
         strand_(stream.get_executor()),
@@ -46,7 +46,7 @@ class HttpConnection final : public WebConnection,
         timer_(strand_) {}
 
   void start() {
-    seat_.take(this->weak_from_this());
+    slot_.take(this->weak_from_this());
     on_strand([](HttpConnection& self) { self.secure(); });
   }
 
@@ -175,7 +175,7 @@ class HttpConnection final : public WebConnection,
     socket_of(stream_).close(ignored);
   }
 
-  WebConnections::Seat seat_;  // first, so that it goes last: then the gateway may go
+  WebConnections::Slot slot_;  // first, so that it goes last: then the gateway may go
   GatewayState& gateway_;
   WebPeer peer_;
   const asio::any_io_executor strand_;

@@ -44,7 +44,7 @@ class SocketConnection final : public WebConnection,
                                public std::enable_shared_from_this<SocketConnection<Stream>> {
  public:
   SocketConnection(GatewayState& gateway, WebPeer peer, Stream stream)
-      : seat_(gateway.connections),
+      : slot_(gateway.connections),
         gateway_(gateway),
         peer_(std::move(peer)),
         strand_(stream.get_executor()),
@@ -54,7 +54,7 @@ class SocketConnection final : public WebConnection,
 
   void start(HttpRequest request) {
     set_options();
-    seat_.take(this->weak_from_this());
+    slot_.take(this->weak_from_this());
     beat();
     auto kept = std::make_shared<HttpRequest>(std::move(request));
     socket_.async_accept(*kept, [self = this->shared_from_this(), kept](StreamError error) {
@@ -330,7 +330,7 @@ class SocketConnection final : public WebConnection,
     socket_of(socket_.next_layer()).close(ignored);
   }
 
-  WebConnections::Seat seat_;  // first, so that it goes last: then the gateway may go
+  WebConnections::Slot slot_;  // first, so that it goes last: then the gateway may go
   GatewayState& gateway_;
   const WebPeer peer_;
   const asio::any_io_executor strand_;

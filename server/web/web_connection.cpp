@@ -2,9 +2,9 @@
 
 namespace burnish {
 
-void WebConnections::Seat::take(std::weak_ptr<WebConnection> connection) {
+void WebConnections::Slot::take(std::weak_ptr<WebConnection> connection) {
   std::unique_lock lock(all_.mutex_);
-  all_.seats_[this] = connection;
+  all_.slots_[this] = connection;
   const bool is_leaving = all_.is_leaving_, is_closing = all_.is_closing_;
   lock.unlock();
   const auto alive = connection.lock();
@@ -30,24 +30,24 @@ void WebConnections::close() {
 
 void WebConnections::wait_until_empty() {
   std::unique_lock lock(mutex_);
-  removed_.wait(lock, [this] { return seats_.empty(); });
+  removed_.wait(lock, [this] { return slots_.empty(); });
 }
 
 size_t WebConnections::count() {
   const std::lock_guard lock(mutex_);
-  return seats_.size();
+  return slots_.size();
 }
 
 std::vector<std::shared_ptr<WebConnection>> WebConnections::alive() {
   std::vector<std::shared_ptr<WebConnection>> connections;
-  for (const auto& [seat, connection] : seats_)
+  for (const auto& [slot, connection] : slots_)
     if (auto held = connection.lock()) connections.push_back(std::move(held));
   return connections;
 }
 
-void WebConnections::remove(const Seat* seat) {
+void WebConnections::remove(const Slot* slot) {
   const std::lock_guard lock(mutex_);
-  seats_.erase(seat);
+  slots_.erase(slot);
   removed_.notify_all();
 }
 

@@ -16,16 +16,16 @@ class WebConnection {
   virtual void close() = 0;  ///< closes it now
 };
 
-/// The connections of the gateway. Each holds a seat until its end. Thread-safe.
+/// The connections of the gateway. Each holds a slot until its end. Thread-safe.
 class WebConnections {
  public:
   /// A member of a connection.
-  class Seat {
+  class Slot {
    public:
-    explicit Seat(WebConnections& all) : all_(all) {}
-    ~Seat() { all_.remove(this); }
-    Seat(const Seat&) = delete;
-    Seat& operator=(const Seat&) = delete;
+    explicit Slot(WebConnections& all) : all_(all) {}
+    ~Slot() { all_.remove(this); }
+    Slot(const Slot&) = delete;
+    Slot& operator=(const Slot&) = delete;
 
     /// From now on leave() and close() reach the connection, also those that came before.
     void take(std::weak_ptr<WebConnection> connection);
@@ -41,11 +41,11 @@ class WebConnections {
 
  private:
   std::vector<std::shared_ptr<WebConnection>> alive();  // needs the lock
-  void remove(const Seat* seat);
+  void remove(const Slot* slot);
 
   std::mutex mutex_;  // guards the following members
   std::condition_variable removed_;
-  std::unordered_map<const Seat*, std::weak_ptr<WebConnection>> seats_;
+  std::unordered_map<const Slot*, std::weak_ptr<WebConnection>> slots_;
   bool is_leaving_ = false;
   bool is_closing_ = false;
 };

@@ -31,12 +31,12 @@ struct BenchOptions {
 
 /// The clients of a run and their connections. Sessions get clients in turn.
 struct Load {
-  struct Seat {
+  struct Slot {
     std::string session;
     std::unique_ptr<Connection> connection;
     std::unique_ptr<LoadClient> client;
   };
-  std::vector<Seat> seats;
+  std::vector<Slot> slots;
 };
 
 Result<Load> connect_clients(const BenchOptions& options, const LoadMix& mix) {
@@ -47,16 +47,16 @@ Result<Load> connect_clients(const BenchOptions& options, const LoadMix& mix) {
   }
   Load load;
   for (int i = 0; i < options.clients; ++i) {
-    Load::Seat seat{options.sessions[static_cast<size_t>(i) % options.sessions.size()]};
+    Load::Slot slot{options.sessions[static_cast<size_t>(i) % options.sessions.size()]};
     ASSIGN_OR_RETURN(Connection own, options.server.connect());
-    seat.connection = std::make_unique<Connection>(std::move(own));
-    const LoadOptions client{.session = seat.session,
-                             .surface = surfaces[seat.session],
+    slot.connection = std::make_unique<Connection>(std::move(own));
+    const LoadOptions client{.session = slot.session,
+                             .surface = surfaces[slot.session],
                              .pictures_per_second = options.pictures_per_second,
                              .mix = mix};
-    seat.client = std::make_unique<LoadClient>(*seat.connection, client,
+    slot.client = std::make_unique<LoadClient>(*slot.connection, client,
                                                options.seed + static_cast<uint32_t>(i));
-    load.seats.push_back(std::move(seat));
+    load.slots.push_back(std::move(slot));
   }
   return load;
 }
@@ -86,18 +86,18 @@ Status check_session(Connection& connection, const std::string& session, Load& l
   std::set<std::string> ids;
   for (const HistoryEntry& entry : history) ids.insert(entry.edit_id);
   std::set<uint64_t> shown;
-  for (Load::Seat& seat : load.seats) {
-    if (seat.session != session) continue;
-    const LoadFigures& figures = seat.client->figures();
+  for (Load::Slot& slot : load.slots) {
+    if (slot.session != session) continue;
+    const LoadFigures& figures = slot.client->figures();
     for (const std::string& id : figures.acknowledged)
       if (!ids.contains(id)) ++checks.missing_from_history;
     checks.acknowledged += figures.acknowledged.size();
     checks.unanswered += figures.applied - figures.acknowledged.size() - figures.refused.size();
     for (const std::string& why : figures.refused) checks.objections.push_back("refused: " + why);
     if (!figures.ended.empty()) checks.objections.push_back("ended early: " + figures.ended);
-    if (!seat.client->settle(state.session.edits, kSettlePatience))
+    if (!slot.client->settle(state.session.edits, kSettlePatience))
       checks.objections.push_back("a client of session " + session + " did not settle");
-    shown.insert(seat.client->shown_hash());
+    shown.insert(slot.client->shown_hash());
   }
   checks.clients_agree = checks.clients_agree && shown.size() <= 1;
   ASSIGN_OR_RETURN(const bool agrees, replay_agrees(connection, session));
@@ -122,12 +122,12 @@ Result<LoadChecks> check(const BenchOptions& options, Load& load) {
 Status bench(const BenchOptions& options) {
   ASSIGN_OR_RETURN(const LoadMix mix, parse_load_mix(options.mix));
   ASSIGN_OR_RETURN(Load load, connect_clients(options, mix));
-  for (Load::Seat& seat : load.seats)
-    seat.client->start(std::chrono::duration<double>(options.seconds));
-  for (Load::Seat& seat : load.seats) seat.client->join();
+  for (Load::Slot& slot : load.slots)
+    slot.client->start(std::chrono::duration<double>(options.seconds));
+  for (Load::Slot& slot : load.slots) slot.client->join();
   ASSIGN_OR_RETURN(const LoadChecks checks, check(options, load));
   std::vector<LoadFigures> figures;
-  for (Load::Seat& seat : load.seats) figures.push_back(seat.client->figures());
+  for (Load::Slot& slot : load.slots) figures.push_back(slot.client->figures());
   const nlohmann::ordered_json report = load_report(figures, checks);
   if (options.server.json) {
     print_json(report);

@@ -17,14 +17,14 @@ thread_local int working_as = -1;
 }  // namespace
 
 LockStep::LockStep(int shards) {
-  for (int shard = 0; shard < shards; ++shard) seats_.push_back(std::make_unique<Seat>());
+  for (int shard = 0; shard < shards; ++shard) slots_.push_back(std::make_unique<Slot>());
   for (int shard = 1; shard < shards; ++shard)
-    seats_[shard]->thread = std::jthread([this, shard] { serve(shard); });
+    slots_[shard]->thread = std::jthread([this, shard] { serve(shard); });
 }
 
 LockStep::~LockStep() {
   is_over_ = true;
-  for (const auto& seat : seats_) seat->turn.release();
+  for (const auto& slot : slots_) slot->turn.release();
 }
 
 int LockStep::current() const {
@@ -33,7 +33,7 @@ int LockStep::current() const {
 
 void LockStep::serve(int shard) {
   for (;;) {
-    seats_[shard]->turn.acquire();
+    slots_[shard]->turn.acquire();
     if (is_over_) return;
     use_threads(threads_);
     work_as(shard);
@@ -45,10 +45,10 @@ void LockStep::run(const std::function<void(int)>& work) {
   work_ = &work;
   arrived_ = 0;
   threads_ = thread_count();
-  for (const auto& seat : seats_) seat->has_ended = false;
+  for (const auto& slot : slots_) slot->has_ended = false;
   work_as(0);
   // The last turn of all comes back here.
-  if (shards() > 1) seats_[0]->turn.acquire();
+  if (shards() > 1) slots_[0]->turn.acquire();
 }
 
 void LockStep::work_as(int shard) {
@@ -57,7 +57,7 @@ void LockStep::work_as(int shard) {
   (*work_)(shard);
   working_for = outer;
   working_as = outer_shard;
-  seats_[shard]->has_ended = true;
+  slots_[shard]->has_ended = true;
   if (shards() > 1) hand_on(shard);
 }
 
@@ -67,19 +67,19 @@ void LockStep::arrive_and_wait(const std::function<void()>& together) {
   together_ = &together;
   ++arrived_;
   hand_on(shard);
-  seats_[shard]->turn.acquire();
+  slots_[shard]->turn.acquire();
 }
 
 // Gives the turn to the next shard that works. The last one of a round ends the round first.
 void LockStep::hand_on(int shard) {
-  const auto works = [&](int other) { return !seats_[other]->has_ended; };
+  const auto works = [&](int other) { return !slots_[other]->has_ended; };
   int next = shard + 1;
   while (next < shards() && !works(next)) ++next;
-  if (next < shards()) return seats_[next]->turn.release();
+  if (next < shards()) return slots_[next]->turn.release();
   if (std::exchange(arrived_, 0) == shards()) (*together_)();
   next = 0;
   while (next < shards() && !works(next)) ++next;
-  seats_[next < shards() ? next : 0]->turn.release();
+  slots_[next < shards() ? next : 0]->turn.release();
 }
 
 }  // namespace burnish

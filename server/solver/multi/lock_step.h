@@ -17,7 +17,7 @@ class LockStep {
   LockStep(const LockStep&) = delete;
   LockStep& operator=(const LockStep&) = delete;
 
-  int shards() const { return static_cast<int>(seats_.size()); }
+  int shards() const { return static_cast<int>(slots_.size()); }
 
   /// Runs work(shard) for all shards. The first one runs in the calling thread. Needs: no other
   /// call meanwhile.
@@ -32,7 +32,7 @@ class LockStep {
   int current() const;
 
  private:
-  struct Seat {
+  struct Slot {
     std::binary_semaphore turn{0};
     bool has_ended = false;
     std::jthread thread;  // none for the first shard
@@ -42,7 +42,7 @@ class LockStep {
   void work_as(int shard);
   void hand_on(int shard);
 
-  std::vector<std::unique_ptr<Seat>> seats_;
+  std::vector<std::unique_ptr<Slot>> slots_;
   const std::function<void(int)>* work_ = nullptr;
   const std::function<void()>* together_ = nullptr;
   int arrived_ = 0;  // shards that wait in arrive_and_wait()
