@@ -18,12 +18,12 @@ namespace burnish {
 /// The line of the scans that wait to be prepared. A preparation uses all cores and much memory, so
 /// one runs at a time. Beside it one small scan is prepared, so that small scans pass large ones.
 /// Who seemed small and takes long waits with the large ones before it goes on. A user has one
-/// place among the large scans and one among the small: who asks for many keeps others waiting for
+/// slot among the large scans and one among the small: who asks for many keeps others waiting for
 /// one. Calls for the same scan have their turns one after the other. Thread-safe.
 class PreparingLine {
  public:
   using Clock = std::function<std::chrono::steady_clock::time_point()>;
-  /// A small scan keeps its place for so long.
+  /// A small scan keeps its slot for so long.
   static constexpr std::chrono::seconds kSmallMax{10};
 
   explicit PreparingLine(Clock clock = std::chrono::steady_clock::now) : clock_(std::move(clock)) {}
@@ -40,13 +40,13 @@ class PreparingLine {
    private:
     friend class PreparingLine;
     explicit Turn(PreparingLine& line) : line_(&line) {}
-    Status change_places(const Progress& told);
+    Status change_slots(const Progress& told);
 
     PreparingLine* line_;
     std::shared_ptr<FairMutex> user_, scan_;
     std::unique_lock<FairMutex> user_lock_, scan_lock_;
-    std::unique_lock<FairMutex> place_lock_;
-    std::optional<std::chrono::steady_clock::time_point> end_;  ///< of a small scan's place
+    std::unique_lock<FairMutex> slot_lock_;
+    std::optional<std::chrono::steady_clock::time_point> end_;  ///< of a small scan's slot
   };
 
   struct Wish {

@@ -43,15 +43,15 @@ bool LiveSession::turn() {
 
 bool LiveSession::take_turn() {
   if (is_over()) {
-    place_.reset();
+    ticket_.reset();
     return false;
   }
   if (is_coming_back_) return false;
-  if (!place_)
-    place_.emplace(entry_->mutex, [weak = weak_from_this()] {
+  if (!ticket_)
+    ticket_.emplace(entry_->mutex, [weak = weak_from_this()] {
       if (const auto self = weak.lock()) self->wake();
     });
-  auto turn = manager_.try_turn(entry_, *place_);
+  auto turn = manager_.try_turn(entry_, *ticket_);
   Status status = turn.status();
   bool more = false;
   if (status.is_ok()) {

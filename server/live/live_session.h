@@ -120,7 +120,7 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
   const LiveObject live_{LiveKind::kLiveSession};
 
   // Used by turn() only.
-  std::optional<FairMutex::Place> place_;  // in the line for the session
+  std::optional<FairMutex::Ticket> ticket_;  // in the line for the session
   /// Everything that makes a new surface.
   struct Seen {
     uint64_t edits = 0;

@@ -148,10 +148,10 @@ class SessionManager {
   Result<Attached> attach(const std::string& reference, const Caller& caller,
                           const Progress& progress = {});
 
-  /// Never waits. Returns nothing if somebody else works on the session; `place` calls when another
-  /// try is worth it. Fails: not_found (deleted). Needs: a place in the line of the entry's mutex.
+  /// Never waits. Returns nothing if somebody else works on the session; `ticket` calls when
+  /// another try is worth it. Fails: not_found (deleted). Needs: a ticket of the entry's mutex.
   Result<std::optional<SessionTurn>> try_turn(const std::shared_ptr<SessionEntry>& entry,
-                                              FairMutex::Place& place);
+                                              FairMutex::Ticket& ticket);
 
   /// Takes in which sessions other servers have made, renamed and deleted. Does nothing for a
   /// journal of this server alone.

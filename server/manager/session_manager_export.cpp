@@ -81,7 +81,7 @@ Result<SolveReport> SessionManager::solve(Held& held, const ExportWish& wish,
   RETURN_IF_ERROR(catch_up(entry, progress));
   const Solving solving(entry.solving);
   const Progress lending = [&](std::string_view phase, double fraction) {
-    entry.mutex.let_place_pass();
+    entry.mutex.let_ticket_pass();
     return report(progress, phase, fraction);
   };
   ASSIGN_OR_RETURN(const SolveReport solved,

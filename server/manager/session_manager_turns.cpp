@@ -37,9 +37,9 @@ Result<SessionManager::Attached> SessionManager::attach(const std::string& refer
 }
 
 Result<std::optional<SessionTurn>> SessionManager::try_turn(
-    const std::shared_ptr<SessionEntry>& entry, FairMutex::Place& place) {
+    const std::shared_ptr<SessionEntry>& entry, FairMutex::Ticket& ticket) {
   RETURN_IF_ERROR(check_hold());
-  if (!place.take()) return std::optional<SessionTurn>();
+  if (!ticket.take()) return std::optional<SessionTurn>();
   std::unique_lock lock(entry->mutex, std::adopt_lock);
   if (entry->deleted) return not_found("session " + entry->record.name + " was deleted");
   entry->last_use = steady_clock::now();

@@ -72,7 +72,7 @@ Status Executor::check_room(const Piece& piece) const {
   return Status::ok();
 }
 
-void Executor::take_place(Holders::value_type& holder) {
+void Executor::take_ticket(Holders::value_type& holder) {
   Holder& own = holder.second;
   if (own.in_turn || own.waiting.empty() || own.at_work >= limits_.threads_per_holder) return;
   own.in_turn = true;
@@ -98,7 +98,7 @@ void Executor::post(Piece piece) {
   bytes_ += piece.bytes;
   ++waiting_;
   holder.second.waiting.push_back(std::move(piece));
-  take_place(holder);
+  take_ticket(holder);
 }
 
 void Executor::run() {
@@ -114,7 +114,7 @@ void Executor::run() {
     own.waiting.pop_front();
     ++own.at_work;
     if (--waiting_ == 0 && ending_) wake_.notify_all();
-    take_place(*holder);
+    take_ticket(*holder);
 
     lock.unlock();
     run_guarded(piece.work, piece.on_failure);
@@ -125,7 +125,7 @@ void Executor::run() {
     --own.at_work;
     own.bytes -= bytes;
     bytes_ -= bytes;
-    take_place(*holder);
+    take_ticket(*holder);
     if (own.at_work == 0 && own.waiting.empty()) holders_.erase(holder);
   }
 }

@@ -66,7 +66,7 @@ class Executor {
   using Holders = std::map<std::string, Holder>;
 
   Status check_room(const Piece& piece) const;
-  void take_place(Holders::value_type& holder);
+  void take_ticket(Holders::value_type& holder);
   void run();
 
   const Limits limits_;

@@ -15,14 +15,14 @@ void FairMutex::lock() {
 bool FairMutex::try_lock() {
   const std::lock_guard lock(mutex_);
   if (held_) return false;
-  last_was_place_ = false;
+  last_was_ticket_ = false;
   return held_ = true;
 }
 
 bool FairMutex::lock_while(const std::function<bool()>& go_on) {
   std::unique_lock lock(mutex_);
   if (!held_) {
-    last_was_place_ = false;
+    last_was_ticket_ = false;
     return held_ = true;
   }
   const auto mine = waiters_.emplace(waiters_.end());
@@ -43,14 +43,14 @@ void FairMutex::unlock() {
   hand_on(lock);
 }
 
-/// Needs: the mutex is held and kept for nobody. Unlocks `lock` if it calls a place.
+/// Needs: the mutex is held and kept for nobody. Unlocks `lock` if it calls a ticket.
 void FairMutex::hand_on(std::unique_lock<std::mutex>& lock) {
-  const bool is_places_turn = !places_.empty() && (waiters_.empty() || !last_was_place_);
-  last_was_place_ = is_places_turn;
-  if (is_places_turn) {
-    kept_for_ = places_.front();
-    places_.pop_front();
-    const std::function<void()> call = kept_for_->call_;  // the place may end meanwhile
+  const bool is_tickets_turn = !tickets_.empty() && (waiters_.empty() || !last_was_ticket_);
+  last_was_ticket_ = is_tickets_turn;
+  if (is_tickets_turn) {
+    kept_for_ = tickets_.front();
+    tickets_.pop_front();
+    const std::function<void()> call = kept_for_->call_;  // the ticket may end meanwhile
     lock.unlock();
     call();
   } else if (!waiters_.empty()) {
@@ -62,35 +62,35 @@ void FairMutex::hand_on(std::unique_lock<std::mutex>& lock) {
   }
 }
 
-void FairMutex::let_place_pass() {
+void FairMutex::let_ticket_pass() {
   std::unique_lock lock(mutex_);
-  if (places_.empty()) return;
+  if (tickets_.empty()) return;
   const auto mine = waiters_.emplace(waiters_.begin());
-  last_was_place_ = false;
+  last_was_ticket_ = false;
   hand_on(lock);
   lock.lock();
   mine->wake.wait(lock, [&] { return mine->is_owner; });
   waiters_.erase(mine);
 }
 
-bool FairMutex::Place::take() {
+bool FairMutex::Ticket::take() {
   const std::lock_guard lock(mutex_.mutex_);
   if (mutex_.kept_for_ == this) {
     mutex_.kept_for_ = nullptr;
     return true;
   }
   if (!mutex_.held_) {
-    mutex_.last_was_place_ = true;
+    mutex_.last_was_ticket_ = true;
     return mutex_.held_ = true;
   }
-  const bool is_in_line = std::ranges::find(mutex_.places_, this) != mutex_.places_.end();
-  if (!is_in_line) mutex_.places_.push_back(this);
+  const bool is_in_line = std::ranges::find(mutex_.tickets_, this) != mutex_.tickets_.end();
+  if (!is_in_line) mutex_.tickets_.push_back(this);
   return false;
 }
 
-void FairMutex::Place::leave() {
+void FairMutex::Ticket::leave() {
   std::unique_lock lock(mutex_.mutex_);
-  std::erase(mutex_.places_, this);
+  std::erase(mutex_.tickets_, this);
   if (mutex_.kept_for_ != this) return;
   mutex_.kept_for_ = nullptr;
   mutex_.hand_on(lock);

@@ -49,7 +49,7 @@ void EditCall::take_greeting() {
     return refuse(invalid_argument("a live session must begin with a greeting"));
   const auto join = [call = self()] {
     const auto client = call->join();
-    if (client.is_ok()) return call->take_place(client.value());
+    if (client.is_ok()) return call->take_slot(client.value());
     call->writer_.end(client.status());
   };
   calls_.executor.post(join, [call = self()](const Status& why) { call->writer_.end(why); });
@@ -76,7 +76,7 @@ Result<LiveClient> EditCall::join() {
   return calls_.live.join(greeting, calls_.caller, std::move(wiring), progress);
 }
 
-void EditCall::take_place(const LiveClient& client) {
+void EditCall::take_slot(const LiveClient& client) {
   {
     const std::lock_guard lock(mutex_);
     if (done_) return calls_.live.leave(client);

@@ -30,7 +30,7 @@ class EditCall final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::By
   void take_message(bool ok);
   void take_greeting();
   Result<LiveClient> join();
-  void take_place(const LiveClient& client);
+  void take_slot(const LiveClient& client);
   void cut();
 
   void refuse(const Status& status);

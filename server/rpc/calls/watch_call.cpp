@@ -19,7 +19,7 @@ WatchCall::WatchCall(const CallContext& calls, grpc::CallbackServerContext& cont
 void WatchCall::begin() {
   const auto join = [call = self()] {
     const auto client = call->join();
-    if (client.is_ok()) return call->take_place(client.value());
+    if (client.is_ok()) return call->take_slot(client.value());
     call->writer_.end(client.status());
   };
   calls_.executor.post(join, [call = self()](const Status& why) { call->writer_.end(why); });
@@ -60,7 +60,7 @@ static void grant_frame(const LiveClient& client) {
   client.subscriber->grant({.frames = 1});
 }
 
-void WatchCall::take_place(const LiveClient& client) {
+void WatchCall::take_slot(const LiveClient& client) {
   {
     const std::lock_guard lock(mutex_);
     if (done_) return calls_.live.leave(client);

@@ -30,7 +30,7 @@ class WatchCall final : public grpc::ServerWriteReactor<v1::ServerMessage>,
  private:
   Result<LiveClient> join();
   Status show_pages(const LiveClient& client) const;
-  void take_place(const LiveClient& client);
+  void take_slot(const LiveClient& client);
   void grant_later();
   void cut();
 

@@ -73,18 +73,18 @@ TEST(FairMutex, WhoAsksAgainAndAgainKeepsItsPlace) {
   EXPECT_EQ(order, "ab");
 }
 
-TEST(FairMutex, APlaceIsCalledOnceAndTheMutexIsKeptForIt) {
+TEST(FairMutex, ATicketIsCalledOnceAndTheMutexIsKeptForIt) {
   FairMutex mutex;
   int calls = 0;
-  FairMutex::Place place(mutex, [&] { ++calls; });
+  FairMutex::Ticket ticket(mutex, [&] { ++calls; });
   mutex.lock();
-  EXPECT_FALSE(place.take());
-  EXPECT_FALSE(place.take());
+  EXPECT_FALSE(ticket.take());
+  EXPECT_FALSE(ticket.take());
   EXPECT_EQ(calls, 0);
   mutex.unlock();
   EXPECT_EQ(calls, 1);
   EXPECT_FALSE(mutex.try_lock());
-  EXPECT_TRUE(place.take());
+  EXPECT_TRUE(ticket.take());
   mutex.unlock();
   EXPECT_EQ(calls, 1);
   EXPECT_TRUE(mutex.try_lock());
@@ -92,27 +92,27 @@ TEST(FairMutex, APlaceIsCalledOnceAndTheMutexIsKeptForIt) {
 
 TEST(FairMutex, AFreeOneIsTakenAtOnce) {
   FairMutex mutex;
-  FairMutex::Place place(mutex, [] { ADD_FAILURE() << "called for nothing"; });
-  EXPECT_TRUE(place.take());
+  FairMutex::Ticket ticket(mutex, [] { ADD_FAILURE() << "called for nothing"; });
+  EXPECT_TRUE(ticket.take());
   EXPECT_FALSE(mutex.try_lock());
   mutex.unlock();
 }
 
-TEST(FairMutex, APlaceComesBeforeAllButOneOfThoseWhoWait) {
+TEST(FairMutex, ATicketComesBeforeAllButOneOfThoseWhoWait) {
   FairMutex mutex;
   std::string order;
-  FairMutex::Place place(mutex, [] {});
+  FairMutex::Ticket ticket(mutex, [] {});
   mutex.lock();
   {
     InLine first(mutex, [&] {
       order += 'a';
-      EXPECT_FALSE(place.take());
+      EXPECT_FALSE(ticket.take());
     });
     InLine second(mutex, [&] { order += 'b'; });
-    EXPECT_FALSE(place.take());
+    EXPECT_FALSE(ticket.take());
     mutex.unlock();
     for (int turn = 0; turn < 2; ++turn) {
-      while (!place.take()) std::this_thread::yield();
+      while (!ticket.take()) std::this_thread::yield();
       order += 'p';
       mutex.unlock();
     }
@@ -120,44 +120,44 @@ TEST(FairMutex, APlaceComesBeforeAllButOneOfThoseWhoWait) {
   EXPECT_EQ(order, "papb");
 }
 
-TEST(FairMutex, APlaceThatLeavesOrEndsHandsOn) {
+TEST(FairMutex, ATicketThatLeavesOrEndsHandsOn) {
   FairMutex mutex;
   bool had_it = false;
   {
-    FairMutex::Place place(mutex, [] {});
+    FairMutex::Ticket ticket(mutex, [] {});
     mutex.lock();
-    EXPECT_FALSE(place.take());
+    EXPECT_FALSE(ticket.take());
     InLine waiter(mutex, [&] { had_it = true; });
     mutex.unlock();
-    place.leave();
+    ticket.leave();
   }
   EXPECT_TRUE(had_it);
   {
-    FairMutex::Place place(mutex, [] {});
+    FairMutex::Ticket ticket(mutex, [] {});
     mutex.lock();
-    EXPECT_FALSE(place.take());
+    EXPECT_FALSE(ticket.take());
     mutex.unlock();
   }
   EXPECT_TRUE(mutex.try_lock());
 }
 
-TEST(FairMutex, ALongHolderLetsAPlacePassAndNobodyElse) {
+TEST(FairMutex, ALongHolderLetsATicketPassAndNobodyElse) {
   FairMutex mutex;
   std::string order;
   std::atomic<bool> called{false};
-  FairMutex::Place place(mutex, [&] { called = true; });
+  FairMutex::Ticket ticket(mutex, [&] { called = true; });
   mutex.lock();
-  mutex.let_place_pass();
-  EXPECT_FALSE(place.take());
+  mutex.let_ticket_pass();
+  EXPECT_FALSE(ticket.take());
   {
     InLine waiter(mutex, [&] { order += 'w'; });
     std::thread turn([&] {
       while (!called) std::this_thread::yield();
-      EXPECT_TRUE(place.take());
+      EXPECT_TRUE(ticket.take());
       order += 'p';
       mutex.unlock();
     });
-    mutex.let_place_pass();
+    mutex.let_ticket_pass();
     order += 'h';
     turn.join();
     mutex.unlock();
