@@ -1,7 +1,7 @@
 #include "client/model/documents/open_document.h"
 
 #include "client/model/documents/session_choice.h"
-#include "client/model/tasks/beside.h"
+#include "client/model/tasks/async_task.h"
 
 namespace burnish {
 

@@ -1,7 +1,7 @@
 #include <utility>
 #include <vector>
 
-#include "client/model/tasks/beside.h"
+#include "client/model/tasks/async_task.h"
 #include "client/model/tasks/tasks.h"
 #include "client/web/core/host/stacks.h"
 
@@ -37,13 +37,13 @@ void Tasks::drain() {
     if (completion) completion();
 }
 
-struct Beside::Running {
+struct AsyncTask::Running {
   bool ended = false;
   int waiting = 0;
 };
 
 // The work is done on another stack, so what it refers to lives until then: wait() ends after it.
-Beside::Beside(std::function<void()> work) : running_(std::make_unique<Running>()) {
+AsyncTask::AsyncTask(std::function<void()> work) : running_(std::make_unique<Running>()) {
   start_stack([running = running_.get(), work = std::move(work)] {
     work();
     running->ended = true;
@@ -51,13 +51,13 @@ Beside::Beside(std::function<void()> work) : running_(std::make_unique<Running>(
   });
 }
 
-Beside::Beside(Beside&&) noexcept = default;
+AsyncTask::AsyncTask(AsyncTask&&) noexcept = default;
 
-Beside::~Beside() {
+AsyncTask::~AsyncTask() {
   if (running_) wait();
 }
 
-void Beside::wait() {
+void AsyncTask::wait() {
   running_->waiting = this_stack();
   while (!running_->ended) wait_on_stack();
 }

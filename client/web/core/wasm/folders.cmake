@@ -69,7 +69,7 @@ string(REGEX MATCH "[0-9.]+" BURNISH_VERSION "${project}")
 target_compile_definitions(client_report PRIVATE BURNISH_VERSION="${BURNISH_VERSION}")
 core_folder(client/connection ONLY call_status connection edit_calls export_call
   history_calls import_call measure_calls page_calls page_value_calls rename_calls sheet_calls)
-core_folder(client/model/tasks EXCEPT beside tasks)
+core_folder(client/model/tasks EXCEPT async_task tasks)
 core_folder(client/model/input)
 core_folder(client/model/settings EXCEPT connection_form lighting_toml preferences)
 core_folder(client/model/documents EXCEPT recorder_file)

@@ -8,27 +8,27 @@
 namespace burnish {
 
 /// Work that runs beside its caller: on a thread, or in a browser on a stack of its own.
-class Beside {
+class AsyncTask {
  public:
-  explicit Beside(std::function<void()> work);
-  ~Beside();  ///< waits too
-  Beside(Beside&&) noexcept;
-  Beside& operator=(Beside&&) = delete;
+  explicit AsyncTask(std::function<void()> work);
+  ~AsyncTask();  ///< waits too
+  AsyncTask(AsyncTask&&) noexcept;
+  AsyncTask& operator=(AsyncTask&&) = delete;
 
   /// Returns when the work has ended.
   void wait();
 
  private:
-  struct Running;  // beside.cpp; client/web/core/host/beside_on_stacks.cpp
+  struct Running;  // async_task.cpp; client/web/core/host/tasks_on_stacks.cpp
   std::unique_ptr<Running> running_;
 };
 
 /// An answer that is on its way. Must not outlive what the question refers to.
 template <typename Answer>
-class Asked {
+class Future {
  public:
   template <typename Question>
-  explicit Asked(Question question)
+  explicit Future(Question question)
       : answer_(std::make_unique<std::optional<Answer>>()),
         work_([answer = answer_.get(), question = std::move(question)] {
           answer->emplace(question());
@@ -42,13 +42,13 @@ class Asked {
 
  private:
   std::unique_ptr<std::optional<Answer>> answer_;
-  Beside work_;  // last: it writes the answer
+  AsyncTask work_;  // last: it writes the answer
 };
 
 /// Asks several questions at once, where each takes a round trip.
 template <typename Question>
 auto ask(Question question) {
-  return Asked<decltype(question())>(std::move(question));
+  return Future<decltype(question())>(std::move(question));
 }
 
 }  // namespace burnish

@@ -1,23 +1,23 @@
-#include "client/model/tasks/beside.h"
+#include "client/model/tasks/async_task.h"
 
 #include <thread>
 
 namespace burnish {
 
-struct Beside::Running {
+struct AsyncTask::Running {
   std::thread thread;
 };
 
-Beside::Beside(std::function<void()> work)
+AsyncTask::AsyncTask(std::function<void()> work)
     : running_(std::make_unique<Running>(Running{std::thread(std::move(work))})) {}
 
-Beside::Beside(Beside&&) noexcept = default;
+AsyncTask::AsyncTask(AsyncTask&&) noexcept = default;
 
-Beside::~Beside() {
+AsyncTask::~AsyncTask() {
   if (running_) wait();
 }
 
-void Beside::wait() {
+void AsyncTask::wait() {
   if (running_->thread.joinable()) running_->thread.join();
 }
 
