@@ -19,7 +19,7 @@
 #include "server/process/hidden_folder.h"
 #include "server/process/input_end.h"
 #include "server/process/log_setup.h"
-#include "server/scheduling/lanes.h"
+#include "server/scheduling/pools.h"
 #include "server/solver/cuda/cuda_backend.h"
 #include "server/solver/device_probe.h"
 
@@ -91,7 +91,7 @@ ServerOptions server_options(const ServerConfig& config, const TrustFiles& files
   return options;
 }
 
-Lanes::Limits lane_limits(const ServerConfig& config) {
+Pools::Limits pool_limits(const ServerConfig& config) {
   return {static_cast<int>(config.workers), static_cast<int>(config.workers_per_user),
           static_cast<uint64_t>(config.requests_per_user),
           static_cast<uint64_t>(config.request_bytes_per_user)};
@@ -176,9 +176,9 @@ Status serve(const CommandLine& line, const sigset_t& signals) {
   if (journal.watch)
     sessions->set_hold_check([watch = journal.watch.get()] { return watch->check(); });
   LiveSessions live(*sessions, kSolverThreads);
-  Lanes lanes(lane_limits(config));
+  Pools pools(pool_limits(config));
   ASSIGN_OR_RETURN(const auto server,
-                   Server::start(server_options(config, files), store, *sessions, live, lanes));
+                   Server::start(server_options(config, files), store, *sessions, live, pools));
   const std::jthread fleet = follow_fleet(config, journal, *sessions, live);
   ASSIGN_OR_RETURN(const auto exporter, start_metrics(config.metrics_listen, [&] {
                      return read_gauges(*server, *folder, store, *sessions, live,

@@ -36,11 +36,11 @@ static constexpr auto kDrainPoll = milliseconds(10);
 
 struct Server::State {
   State(const ServerOptions& options, MeshStore& store, SessionManager& sessions,
-        LiveSessions& live_sessions, Lanes& lanes)
+        LiveSessions& live_sessions, Pools& pools)
       : guard(std::make_shared<Guard>(options.users)),
         call_guard(*guard, options.streams_per_user),
         live(live_sessions),
-        calls{store, sessions, live, CallExecutor(lanes), call_guard, options.upload_silence_max},
+        calls{store, sessions, live, CallExecutor(pools), call_guard, options.upload_silence_max},
         library(calls),
         editing(calls),
         acceptor(options.connections) {}
@@ -116,12 +116,12 @@ static auto admission_of_gateway(std::shared_ptr<const Admission> admission,
 
 Result<std::unique_ptr<Server>> Server::start(const ServerOptions& options, MeshStore& store,
                                               SessionManager& sessions, LiveSessions& live,
-                                              Lanes& lanes) {
+                                              Pools& pools) {
   adopt_grpc_log();
   keep_grpc();
   grpc::EnableDefaultHealthCheckService(true);
   grpc::reflection::InitProtoReflectionServerBuilderPlugin();
-  auto state = std::make_unique<State>(options, store, sessions, live, lanes);
+  auto state = std::make_unique<State>(options, store, sessions, live, pools);
   const auto admission = std::make_shared<const Admission>(state->guard, state->counts);
   grpc::ServerBuilder builder;
   const auto open_way_in = [&](ListeningSocket socket,

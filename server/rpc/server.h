@@ -15,7 +15,7 @@
 
 namespace burnish {
 
-class Lanes;
+class Pools;
 class LiveSessions;
 class MeshStore;
 class SessionManager;
@@ -38,11 +38,11 @@ struct ServerOptions {
 /// The listening service: Library, Editing, health and reflection.
 class Server {
  public:
-  /// Listens and serves at once. Needs: store, sessions, live, lanes and the objects in the options
+  /// Listens and serves at once. Needs: store, sessions, live, pools and the objects in the options
   /// outlive the server. Fails: unavailable if an address cannot be bound.
   static Result<std::unique_ptr<Server>> start(const ServerOptions& options, MeshStore& store,
                                                SessionManager& sessions, LiveSessions& live,
-                                               Lanes& lanes);
+                                               Pools& pools);
   ~Server();
 
   /// HOST:PORT with the chosen port, else unix:PATH.

@@ -26,7 +26,7 @@ void ExportCall::OnWriteDone(bool ok) {
   // Also after a mere progress event: after a failed write nothing more is written.
   if (!ok) return end(cancelled("the client has gone"));
   if (!was_chunk) return;
-  post(Lane::kSession, [](ExportCall& call) { call.send_next(); });
+  post(Pool::kSession, [](ExportCall& call) { call.send_next(); });
 }
 
 void ExportCall::send_next() {

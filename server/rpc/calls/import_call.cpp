@@ -63,7 +63,7 @@ Status ImportCall::take_header(const v1::ImportHeader& message) {
     ask_for_chunks();
   } else {
     calls_.executor.post(
-        Lane::kLong, [call = self()] { call->look_for_known(); }, failing());
+        Pool::kLong, [call = self()] { call->look_for_known(); }, failing());
   }
   return Status::ok();
 }
@@ -100,7 +100,7 @@ void ImportCall::end_of_requests() {
         *call->upload_, call->header_, give_way_to(call->calls_.live.scheduler(), call->progress()),
         call->calls_.user));
   };
-  calls_.executor.post(Lane::kLong, import, failing());
+  calls_.executor.post(Pool::kLong, import, failing());
 }
 
 void ImportCall::end(const Result<ImportOutcome>& outcome) {

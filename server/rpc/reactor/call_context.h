@@ -28,7 +28,7 @@ struct CallContext {
   std::shared_ptr<const Quota::Share> stream = {};  ///< part of the user's limit
 };
 
-/// Runs `work(progress)` in the call's lane and ends the unary call with its Status, or with the
+/// Runs `work(progress)` in the call's pool and ends the unary call with its Status, or with the
 /// reason why it could not run. `progress` says stop when the client is gone. The request and the
 /// response live until then.
 template <typename Request, typename Work>

@@ -1,7 +1,7 @@
 #include "server/rpc/reactor/call_executor.h"
 
 #include "server/rpc/admission/call_observer.h"
-#include "server/rpc/reactor/call_lanes.h"
+#include "server/rpc/reactor/call_pools.h"
 
 namespace burnish {
 
@@ -14,7 +14,7 @@ static std::string host_of(const std::string& peer) {
 CallExecutor CallExecutor::for_call(const grpc::CallbackServerContext& context,
                                     const std::string& user) const {
   CallExecutor own = *this;
-  own.lane_ = lane_of(method_of(context));
+  own.pool_ = pool_of(method_of(context));
   own.holder_ = user.empty() ? host_of(peer_of(context)) : "user " + user;
   own.request_id_ = request_id_of(context);
   return own;

@@ -12,7 +12,7 @@
 
 namespace burnish {
 
-/// A call that answers one request with events. It runs `Status Call::run()` in its lane and ends
+/// A call that answers one request with events. It runs `Status Call::run()` in its pool and ends
 /// with that Status, unless the call has a begin() of its own.
 template <typename Call, typename Request, typename Event>
 class EventCall : public grpc::ServerWriteReactor<Event>, public SelfOwned<Call> {
@@ -32,15 +32,15 @@ class EventCall : public grpc::ServerWriteReactor<Event>, public SelfOwned<Call>
   void OnDone() override { this->release(); }
 
  protected:
-  /// Runs `work(call)` in the call's lane, or in the other one.
+  /// Runs `work(call)` in the call's pool, or in the other one.
   template <typename Work>
   void post(Work work) {
     calls_.executor.post([call = this->self(), work] { work(*call); }, failing());
   }
   template <typename Work>
-  void post(Lane lane, Work work) {
+  void post(Pool pool, Work work) {
     calls_.executor.post(
-        lane, [call = this->self(), work] { work(*call); }, failing());
+        pool, [call = this->self(), work] { work(*call); }, failing());
   }
 
   void end(const Status& status) { events_.close(to_grpc(status)); }

@@ -11,7 +11,7 @@
 #include "server/journal/sqlite_journal.h"
 #include "server/live/live_sessions.h"
 #include "server/manager/session_manager.h"
-#include "server/scheduling/lanes.h"
+#include "server/scheduling/pools.h"
 #include "tests/common/fast_clock.h"
 #include "tests/common/temporary_folder.h"
 
@@ -30,9 +30,9 @@ struct TestServer {
   std::unique_ptr<SessionManager> sessions =
       std::move(SessionManager::create(*folder, store, *journal, {})).value();
   LiveSessions live{*sessions, 1};
-  Lanes lanes{{}};
+  Pools pools{{}};
   std::unique_ptr<Server> server =
-      std::move(Server::start({"127.0.0.1:0", {}}, store, *sessions, live, lanes)).value();
+      std::move(Server::start({"127.0.0.1:0", {}}, store, *sessions, live, pools)).value();
 };
 
 /// Returns the answer of grpc.health.v1 for a service: "\x08\x01" is SERVING, "\x08\x02" is

@@ -4,28 +4,28 @@
 
 namespace burnish {
 
-/// Says what a request's work waits for. Each lane has its own workers, so that no work waits for
-/// slower work of another lane.
-enum class Lane {
+/// Says what a request's work waits for. Each pool has its own workers, so that no work waits for
+/// slower work of another pool.
+enum class Pool {
   kShort,    ///< memory and small files: lists, descriptions
   kSession,  ///< a session that others may use, or the disk: edits, state, chunks
   kLong,     ///< the solver, preparing, whole files: seconds to minutes
 };
 
 /// The workers of all requests.
-class Lanes {
+class Pools {
  public:
   /// For kLong, and as many for kSession, whose workers mostly sleep.
   struct Limits {
     int workers = 16;
     int workers_per_user = 4;
-    uint64_t requests_per_user = 1024;  ///< waiting requests, in each lane
+    uint64_t requests_per_user = 1024;  ///< waiting requests, in each pool
     uint64_t request_bytes_per_user = uint64_t{64} << 20;
   };
 
-  explicit Lanes(const Limits& limits);
+  explicit Pools(const Limits& limits);
 
-  Executor& operator[](Lane lane);
+  Executor& operator[](Pool pool);
 
  private:
   Executor short_, session_, long_;

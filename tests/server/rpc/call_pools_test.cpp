@@ -1,4 +1,4 @@
-#include "server/rpc/reactor/call_lanes.h"
+#include "server/rpc/reactor/call_pools.h"
 
 #include <gtest/gtest.h>
 
@@ -7,20 +7,20 @@
 namespace burnish {
 namespace {
 
-TEST(CallLanes, ListsAreShortAndWhatComputesIsLong) {
+TEST(CallPools, ListsAreShortAndWhatComputesIsLong) {
   for (const char* method : {"/burnish.v1.Library/ListScans", "/burnish.v1.Editing/ListSessions",
                              "/burnish.v1.Library/DescribeScan", "/burnish.v1.Library/FetchPages",
                              "/burnish.v1.Library/FetchSheets"})
-    EXPECT_EQ(lane_of(method), Lane::kShort) << method;
+    EXPECT_EQ(pool_of(method), Pool::kShort) << method;
   for (const char* method :
        {"/burnish.v1.Library/DescribePages", "/burnish.v1.Library/PrepareScan",
         "/burnish.v1.Library/DescribeSheets", "/burnish.v1.Library/ProposeEdges",
         "/burnish.v1.Editing/Export", "/burnish.v1.Editing/OpenSession",
         "/burnish.v1.Editing/ForkSession"}) {
-    EXPECT_EQ(lane_of(method), Lane::kLong) << method;
+    EXPECT_EQ(pool_of(method), Pool::kLong) << method;
     EXPECT_TRUE(least_role(method)) << method;
   }
-  EXPECT_EQ(lane_of("/burnish.v1.Editing/Apply"), Lane::kSession);
+  EXPECT_EQ(pool_of("/burnish.v1.Editing/Apply"), Pool::kSession);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "server/scheduling/lanes.h"
+#include "server/scheduling/pools.h"
 
 #include <algorithm>
 
@@ -9,7 +9,7 @@ static constexpr int kShortWorkersPerUser = 2;
 /// All users together may take the limits of this many users.
 static constexpr uint64_t kFullUsersMax = 8;
 
-static Executor::Limits limits_of(const Lanes::Limits& limits, int workers, int per_user) {
+static Executor::Limits limits_of(const Pools::Limits& limits, int workers, int per_user) {
   return {.threads = workers,
           .threads_per_holder = std::min(workers, per_user),
           .waiting_per_holder = limits.requests_per_user,
@@ -18,18 +18,18 @@ static Executor::Limits limits_of(const Lanes::Limits& limits, int workers, int 
           .bytes_max = limits.request_bytes_per_user * kFullUsersMax};
 }
 
-Lanes::Lanes(const Limits& limits)
+Pools::Pools(const Limits& limits)
     : short_(limits_of(limits, kShortWorkers, kShortWorkersPerUser)),
       session_(limits_of(limits, limits.workers, limits.workers_per_user)),
       long_(limits_of(limits, limits.workers, limits.workers_per_user)) {}
 
-Executor& Lanes::operator[](Lane lane) {
-  switch (lane) {
-    case Lane::kShort:
+Executor& Pools::operator[](Pool pool) {
+  switch (pool) {
+    case Pool::kShort:
       return short_;
-    case Lane::kSession:
+    case Pool::kSession:
       return session_;
-    case Lane::kLong:
+    case Pool::kLong:
       break;
   }
   return long_;
