@@ -56,8 +56,13 @@ T read_record(const Message& message) {
   return record;
 }
 
+template <typename Items, typename Act>
+void each_item(const Items& items, const Act& act) {
+  for (const auto& item : items) act(item);
+}
+
 template <typename From, typename To>
-void copy_items(const From& from, To& to) {
+void read_items(const From& from, To& to) {
   to = To(from.begin(), from.end());
 }
 
@@ -85,19 +90,19 @@ void copy_items(const From& from, To& to) {
   else                                                  \
     visit(#name, record.name);
 
-#define BURNISH_WRITE_FIELD(name)                                   \
-  if constexpr (burnish::Record<decltype(record.name)>)             \
-    write_fields(record.name, message);                             \
-  else if constexpr (burnish::RepeatedField<decltype(record.name)>) \
-    burnish::copy_items(record.name, *message.mutable_##name());    \
-  else                                                              \
+#define BURNISH_WRITE_FIELD(name)                                                         \
+  if constexpr (burnish::Record<decltype(record.name)>)                                   \
+    write_fields(record.name, message);                                                   \
+  else if constexpr (burnish::RepeatedField<decltype(record.name)>)                       \
+    burnish::each_item(record.name, [&](const auto& item) { message.add_##name(item); }); \
+  else                                                                                    \
     message.set_##name(record.name);
 
 #define BURNISH_READ_FIELD(name)                                    \
   if constexpr (burnish::Record<decltype(record.name)>)             \
     read_fields(message, record.name);                              \
   else if constexpr (burnish::RepeatedField<decltype(record.name)>) \
-    burnish::copy_items(message.name(), record.name);               \
+    burnish::read_items(message.name(), record.name);               \
   else                                                              \
     record.name = message.name();
 

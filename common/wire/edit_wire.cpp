@@ -406,18 +406,26 @@ Result<Edit> from_wire(const v1::Preview& message) {
   return checked(message.edit_id(), std::move(read), std::move(change));
 }
 
-Result<std::vector<Edit>> edits_from_wire(
-    const google::protobuf::RepeatedPtrField<v1::Edit>& messages) {
-  const auto count = static_cast<size_t>(messages.size());
+template <typename Message>
+static Result<std::vector<Edit>> read_edits(const Message& request) {
+  const auto count = static_cast<size_t>(request.edits_size());
   if (count == 0 || count > kEditsPerFrameMax)
     return invalid_argument("a request has 1 to " + std::to_string(kEditsPerFrameMax) +
                             " edits, not " + std::to_string(count));
   std::vector<Edit> edits;
-  for (const v1::Edit& message : messages) {
+  for (const v1::Edit& message : request.edits()) {
     ASSIGN_OR_RETURN(Edit edit, from_wire(message));
     edits.push_back(std::move(edit));
   }
   return edits;
+}
+
+Result<std::vector<Edit>> edits_from_wire(const v1::ApplyEdits& message) {
+  return read_edits(message);
+}
+
+Result<std::vector<Edit>> edits_from_wire(const v1::ApplyRequest& message) {
+  return read_edits(message);
 }
 
 std::string edit_to_bytes(const Edit& edit) {

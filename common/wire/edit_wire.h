@@ -14,8 +14,8 @@ Result<Edit> from_wire(const v1::Edit& message);
 Result<Edit> from_wire(const v1::Preview& message);
 
 /// Reads 1 to kEditsPerFrameMax edits. Fails: invalid_argument as above, or naming their number.
-Result<std::vector<Edit>> edits_from_wire(
-    const google::protobuf::RepeatedPtrField<v1::Edit>& messages);
+Result<std::vector<Edit>> edits_from_wire(const v1::ApplyEdits& message);
+Result<std::vector<Edit>> edits_from_wire(const v1::ApplyRequest& message);
 
 /// Sets the member of the message that shows the change.
 void write_preview(const PreviewChange& change, v1::Preview& message);

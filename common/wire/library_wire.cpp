@@ -69,7 +69,7 @@ static v1::PreparedDescription to_wire(const PreparedDescription& prepared) {
   v1::PreparedDescription message;
   write_fields(prepared, message);
   message.set_histogram_range(prepared.histogram_range);
-  message.mutable_histogram()->Assign(prepared.histogram.begin(), prepared.histogram.end());
+  for (const auto fraction : prepared.histogram) message.add_histogram(fraction);
   if (prepared.walls.share > 0) *message.mutable_walls() = to_wire(prepared.walls);
   return message;
 }

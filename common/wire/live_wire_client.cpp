@@ -66,7 +66,7 @@ Result<MoveBrush> read_move_brush(const v1::MoveBrush& message) {
 }
 
 Result<ApplyEdits> read_apply(const v1::ApplyEdits& message) {
-  ASSIGN_OR_RETURN(std::vector<Edit> edits, edits_from_wire(message.edits()));
+  ASSIGN_OR_RETURN(std::vector<Edit> edits, edits_from_wire(message));
   return ApplyEdits{std::move(edits)};
 }
 

@@ -96,7 +96,8 @@ Result<Welcome> read_welcome(const v1::Welcome& message) {
   return welcome;
 }
 
-std::vector<std::string> to_vector(const google::protobuf::RepeatedPtrField<std::string>& texts) {
+template <typename Texts>
+std::vector<std::string> to_vector(const Texts& texts) {
   return {texts.begin(), texts.end()};
 }
 

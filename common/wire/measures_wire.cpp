@@ -12,7 +12,7 @@ v1::Deviation to_wire(const SessionDeviation& measured) {
   write_fields(deviation, message);
   *message.mutable_farthest() = to_wire(deviation.farthest);
   message.set_histogram_range(deviation.histogram_range);
-  message.mutable_histogram()->Assign(deviation.histogram.begin(), deviation.histogram.end());
+  for (const double fraction : deviation.histogram) message.add_histogram(fraction);
   message.set_settled(measured.settled);
   return message;
 }

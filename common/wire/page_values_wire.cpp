@@ -10,7 +10,7 @@ v1::GetPageValuesRequest to_wire(const PageValuesWish& wish) {
   v1::GetPageValuesRequest message;
   message.set_session(wish.session);
   message.set_value(to_wire(wish.value));
-  message.mutable_pages()->Assign(wish.pages.begin(), wish.pages.end());
+  for (const uint32_t page : wish.pages) message.add_pages(page);
   return message;
 }
 

@@ -2,7 +2,7 @@
 # Where it is on, BURNISH_CORE_FOLDER has its cores, compiled from the client's sources.
 
 set(BURNISH_WEB_SOURCES /usr/local/src/burnish CACHE PATH
-    "Folder with the sources of libzstd and protobuf: deploy/setup --web fetches them")
+    "Folder with the sources of libzstd: deploy/setup --web fetches them")
 if(BURNISH_WEB STREQUAL "AUTO")
   set(BURNISH_WEB ON)
   foreach(program clang++-19 wasm-ld-19 esbuild)
@@ -12,8 +12,7 @@ if(BURNISH_WEB STREQUAL "AUTO")
       set(BURNISH_WEB OFF)
     endif()
   endforeach()
-  foreach(file ${BURNISH_WEB_SOURCES}/libzstd/lib/zstd.h ${BURNISH_WEB_SOURCES}/protobuf/src/google/protobuf/message_lite.h
-          ${PROJECT_SOURCE_DIR}/node_modules/preact/package.json)
+  foreach(file ${BURNISH_WEB_SOURCES}/libzstd/lib/zstd.h ${PROJECT_SOURCE_DIR}/node_modules/preact/package.json)
     if(NOT EXISTS ${file})
       set(BURNISH_WEB OFF)
     endif()

@@ -71,7 +71,7 @@ grpc::ServerUnaryReactor* EditingService::Apply(grpc::CallbackServerContext* con
                                                 const v1::ApplyRequest* request,
                                                 v1::ApplyResponse* response) {
   return answer(calls_, context, *request, [=, this](const Progress& progress) -> Status {
-    ASSIGN_OR_RETURN(const auto edits, edits_from_wire(request->edits()));
+    ASSIGN_OR_RETURN(const auto edits, edits_from_wire(*request));
     ASSIGN_OR_RETURN(const Caller caller, calls_.guard.caller_of(*context));
     ASSIGN_OR_RETURN(const ApplyOutcome outcome,
                      calls_.sessions.apply(request->session(), caller, edits, progress));

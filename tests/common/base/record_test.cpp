@@ -29,7 +29,7 @@ class ThingMessage {
   const std::vector<int>& marks() const { return marks_; }
   void set_name(const std::string& name) { name_ = name; }
   void set_depth(int depth) { depth_ = depth; }
-  std::vector<int>* mutable_marks() { return &marks_; }
+  void add_marks(int mark) { marks_.push_back(mark); }
 
  private:
   std::string name_;
@@ -47,7 +47,6 @@ TEST(Record, FieldsComeInTheOrderOfTheListAndThoseOfAPartBetweenThem) {
 TEST(Record, AMessageBringsEveryFieldOfTheListBack) {
   ThingMessage message;
   message.set_name("another");
-  message.mutable_marks()->push_back(9);
   write_fields(Thing{"cup", {7}, {1, 2}, 5}, message);
   const auto read = read_record<Thing>(message);
   EXPECT_EQ(read.name, "cup");

@@ -3,7 +3,8 @@
 
 function(core_options name)
   target_include_directories(${name} PRIVATE ${root})
-  target_include_directories(${name} SYSTEM PRIVATE ${core}/gl ${core}/transport ${EIGEN})
+  # threadless: <mutex> with the locks that the library of a browser lacks.
+  target_include_directories(${name} SYSTEM PRIVATE ${core}/wasm/threadless ${core}/gl ${core}/transport ${EIGEN})
   target_link_libraries(${name} PRIVATE proto zstd)
   target_compile_definitions(${name} PRIVATE NDEBUG EIGEN_DONT_PARALLELIZE XXH_INLINE_ALL
     JSON_NOEXCEPTION JSON_NO_IO)
@@ -81,6 +82,7 @@ core_folder(client/web/core)
 core_folder(client/web/core/transport)
 core_folder(client/web/core/host)
 core_folder(client/web/core/libraries)
+core_folder(client/web/core/messages)
 # They run once a scan, or once a block of its directory.
 foreach(name grid/corner_bricks grid/depth_plan pages/block_codec pages/directory pages/head_codec pages/page_header)
   set_source_files_properties(${root}/common/${name}.cpp PROPERTIES COMPILE_OPTIONS -Oz)
@@ -92,7 +94,7 @@ function(core_program name)
   list(TRANSFORM shared REPLACE "(.+)" "$<TARGET_OBJECTS:\\1>" OUTPUT_VARIABLE objects)
   string(REPLACE / _ drawing "${ARGN}")
   list(TRANSFORM drawing REPLACE "(.+)" "$<TARGET_OBJECTS:\\1>")
-  add_executable(${name} ${objects} ${drawing} $<TARGET_OBJECTS:proto> $<TARGET_OBJECTS:protobuf> $<TARGET_OBJECTS:zstd>)
+  add_executable(${name} ${objects} ${drawing} $<TARGET_OBJECTS:proto> $<TARGET_OBJECTS:zstd>)
   set_target_properties(${name} PROPERTIES SUFFIX .wasm LINKER_LANGUAGE CXX)
   target_link_options(${name} PRIVATE ${BURNISH_WEB_FLAGS} -mexec-model=reactor
     -Wl,--gc-sections,--strip-all,--export=__stack_pointer,--stack-first,-z,stack-size=1048576
@@ -114,7 +116,7 @@ core_program(core_raster client/raster client/web/core/raster)
 file(GLOB checks ${root}/tests/client/web/core/wasm/checks.cpp ${root}/tests/client/web/core/wasm/exports.cpp)
 list(FILTER shared EXCLUDE REGEX "^client_(connection|model_[a-z]+|panels|script|web_core(_host|_transport)?)$")
 list(TRANSFORM shared REPLACE "(.+)" "$<TARGET_OBJECTS:\\1>" OUTPUT_VARIABLE objects)
-add_executable(checks EXCLUDE_FROM_ALL ${checks} ${objects} $<TARGET_OBJECTS:protobuf>)
+add_executable(checks EXCLUDE_FROM_ALL ${checks} ${objects})
 set_target_properties(checks PROPERTIES SUFFIX .wasm)
 core_options(checks)
 target_link_options(checks PRIVATE ${BURNISH_WEB_FLAGS} -mexec-model=reactor
