@@ -7,6 +7,7 @@
 #include "client/pictures/lone_renderer.h"
 #include "client/script/lone_script.h"
 #include "client/script/script.h"
+#include "client/tools/user_folders.h"
 #include "common/base/limits.h"
 #include "common/base/text_lines.h"
 
@@ -61,8 +62,9 @@ Status run(const Options& given) {
   app.workspace.timeout =
       std::chrono::milliseconds(static_cast<int64_t>(given.server.timeout_seconds * 1000));
   app.workspace.preferences = given.config.empty() ? preferences_path() : given.config;
-  app.workspace.pages = page_cache_folder();
-  app.workspace.private_server.data = given.data.empty() ? private_data_folder() : given.data;
+  const std::filesystem::path cache = cache_folder();
+  app.workspace.pages = cache.empty() ? cache : cache / "pages";
+  app.workspace.private_server.data = given.data.empty() ? data_folder() : given.data;
   ASSIGN_OR_RETURN(Preferences preferences, read_preferences(app.workspace.preferences));
   if (!given.server.user.empty()) preferences.user = given.server.user;
   app.record = given.record;

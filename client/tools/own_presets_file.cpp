@@ -1,19 +1,15 @@
 // Where the user's own presets lie.
 
-#include <cstdlib>
-
 #include "client/tools/own_presets.h"
+#include "client/tools/user_folders.h"
 #include "common/base/atomic_file.h"
 #include "common/base/text_lines.h"
 
 namespace burnish {
 
 std::filesystem::path own_presets_path() {
-  if (const char* set = std::getenv("XDG_CONFIG_HOME"); set && *set)
-    return std::filesystem::path(set) / "burnish" / "presets";
-  const char* home = std::getenv("HOME");
-  if (!home || !*home) return {};
-  return std::filesystem::path(home) / ".config" / "burnish" / "presets";
+  const std::filesystem::path folder = config_folder();
+  return folder.empty() ? folder : folder / "presets";
 }
 
 Result<std::string> read_own_presets_text(const std::filesystem::path& path) {

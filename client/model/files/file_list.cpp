@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
 
 #include <sys/stat.h>
+
+#include "client/tools/user_folders.h"
 
 namespace burnish {
 
@@ -67,10 +68,9 @@ std::vector<Place> places_to_look(const std::vector<fs::path>& recent) {
                                       [&](const Place& each) { return each.folder == folder; });
     if (!is_known && fs::is_directory(folder, ignored)) places.push_back({name, folder});
   };
-  if (const char* const home = std::getenv("HOME"); home && *home) {
+  if (const fs::path home = home_folder(); !home.empty()) {
     add("Home", home);
-    for (const char* const below : {"Desktop", "Documents", "Downloads"})
-      add(below, fs::path(home) / below);
+    for (const char* const below : {"Desktop", "Documents", "Downloads"}) add(below, home / below);
   }
   for (const fs::path& folder : recent) add(folder.filename().string(), folder);
   add("Computer", "/");

@@ -1,7 +1,6 @@
 #include "client/model/settings/preferences.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <sstream>
 
 #include <toml++/toml.h>
@@ -9,31 +8,15 @@
 #include "client/model/files/private_folder.h"
 #include "client/model/input/bindings.h"
 #include "client/model/settings/lighting_toml.h"
+#include "client/tools/user_folders.h"
 #include "common/base/atomic_file.h"
 #include "common/base/limits.h"
 
 namespace burnish {
 
-static std::filesystem::path folder_of(const char* variable, const char* below_home) {
-  if (const char* set = std::getenv(variable); set && *set)
-    return std::filesystem::path(set) / "burnish";
-  const char* home = std::getenv("HOME");
-  if (!home || !*home) return {};
-  return std::filesystem::path(home) / below_home / "burnish";
-}
-
 std::filesystem::path preferences_path() {
-  const std::filesystem::path folder = folder_of("XDG_CONFIG_HOME", ".config");
+  const std::filesystem::path folder = config_folder();
   return folder.empty() ? folder : folder / "window.toml";
-}
-
-std::filesystem::path page_cache_folder() {
-  const std::filesystem::path folder = folder_of("XDG_CACHE_HOME", ".cache");
-  return folder.empty() ? folder : folder / "pages";
-}
-
-std::filesystem::path private_data_folder() {
-  return folder_of("XDG_DATA_HOME", ".local/share");
 }
 
 namespace {

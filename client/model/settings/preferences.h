@@ -34,13 +34,6 @@ struct Preferences {
 /// Returns $XDG_CONFIG_HOME/burnish/window.toml, or the same below ~/.config. Empty without a home.
 std::filesystem::path preferences_path();
 
-/// Returns the private server's folder for scans: $XDG_DATA_HOME/burnish, or the same below
-/// ~/.local/share.
-std::filesystem::path private_data_folder();
-
-/// Returns the folder that keeps fetched pages of scans; empty without a home folder.
-std::filesystem::path page_cache_folder();
-
 /// Returns defaults if there is no file. Fails: invalid_argument that names the file and the error.
 Result<Preferences> read_preferences(const std::filesystem::path& path);
 

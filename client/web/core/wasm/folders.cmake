@@ -60,7 +60,7 @@ core_folder(common/wire)
 core_folder(client/scene EXCEPT png_reader png_writer raw_pages thinned_triangles)
 core_folder(client/pages)
 core_folder(client/live)
-core_folder(client/tools EXCEPT own_presets_file)
+core_folder(client/tools EXCEPT own_presets_file user_folders)
 core_folder(client/sheets EXCEPT texture_decoder)
 core_folder(client/surface EXCEPT page_desk_thread texture_desk_thread)
 core_folder(client/report ONLY depth_text deviation_json length_text processing_record record_json

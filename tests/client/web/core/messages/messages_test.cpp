@@ -158,35 +158,69 @@ Root root(const char* name) {
       rewritten<Core>, rewritten_by_protobuf<Protobuf>};
 }
 
-// Questions and answers of all calls, and what the details of a refused call have.
-#define BURNISH_ROOTS(DO)                                                                          \
-  DO(ImportRequest)                                                                                \
-  DO(ImportEvent) DO(ListScansRequest) DO(ListScansResponse) DO(DescribeScanRequest)               \
-      DO(ScanDescription) DO(PrepareScanRequest) DO(PrepareEvent) DO(DescribePagesRequest) DO(     \
-          DescribePagesEvent) DO(FetchPagesRequest) DO(FetchPagesEvent) DO(DescribeSheetsRequest)  \
-          DO(DescribeSheetsEvent) DO(FetchSheetsRequest) DO(FetchSheetsEvent)                      \
-              DO(ProposeEdgesRequest) DO(ProposeEdgesEvent) DO(RenameScanRequest) DO(ScanInfo) DO( \
-                  SetScanUnitRequest) DO(DeleteScanRequest) DO(DeleteScanResponse)                 \
-                  DO(OpenSessionRequest) DO(OpenSessionResponse) DO(ListSessionsRequest) DO(       \
-                      ListSessionsResponse) DO(CloseSessionRequest) DO(CloseSessionResponse)       \
-                      DO(RenameSessionRequest) DO(SessionInfo) DO(DeleteSessionRequest) DO(        \
-                          DeleteSessionResponse) DO(ApplyRequest) DO(ApplyResponse)                \
-                          DO(UploadCellFieldsRequest) DO(GetHistoryRequest) DO(GetHistoryResponse) \
-                              DO(ForkSessionRequest) DO(ForkSessionResponse) DO(GetPeopleRequest)  \
-                                  DO(People) DO(SetRoleRequest) DO(SetRoleResponse)                \
-                                      DO(GetStateRequest) DO(SessionState) DO(ClientMessage)       \
-                                          DO(ServerMessage) DO(WatchRequest) DO(GetCellsRequest)   \
-                                              DO(Chunk) DO(GetPageValuesRequest) DO(PageValues)    \
-                                                  DO(GetDeviationRequest) DO(Deviation)            \
-                                                      DO(GetSectionRequest) DO(Section)            \
-                                                          DO(ExportRequest) DO(ExportEvent)
+#define BURNISH_ROOT(Name) root<v1::Name, core::Name>(#Name)
 
+/// Questions and answers of all calls.
 const std::vector<Root>& roots() {
-#define BURNISH_ROOT(Name) root<v1::Name, core::Name>(#Name),
-  static const std::vector<Root> roots = {BURNISH_ROOTS(BURNISH_ROOT)};
-#undef BURNISH_ROOT
+  static const std::vector<Root> roots = {BURNISH_ROOT(ImportRequest),
+                                          BURNISH_ROOT(ImportEvent),
+                                          BURNISH_ROOT(ListScansRequest),
+                                          BURNISH_ROOT(ListScansResponse),
+                                          BURNISH_ROOT(DescribeScanRequest),
+                                          BURNISH_ROOT(ScanDescription),
+                                          BURNISH_ROOT(PrepareScanRequest),
+                                          BURNISH_ROOT(PrepareEvent),
+                                          BURNISH_ROOT(DescribePagesRequest),
+                                          BURNISH_ROOT(FetchPagesRequest),
+                                          BURNISH_ROOT(FetchPagesEvent),
+                                          BURNISH_ROOT(DescribeSheetsRequest),
+                                          BURNISH_ROOT(DescribeSheetsEvent),
+                                          BURNISH_ROOT(FetchSheetsRequest),
+                                          BURNISH_ROOT(FetchSheetsEvent),
+                                          BURNISH_ROOT(ProposeEdgesRequest),
+                                          BURNISH_ROOT(ProposeEdgesEvent),
+                                          BURNISH_ROOT(RenameScanRequest),
+                                          BURNISH_ROOT(ScanInfo),
+                                          BURNISH_ROOT(DeleteScanRequest),
+                                          BURNISH_ROOT(DeleteScanResponse),
+                                          BURNISH_ROOT(OpenSessionRequest),
+                                          BURNISH_ROOT(OpenSessionResponse),
+                                          BURNISH_ROOT(ListSessionsRequest),
+                                          BURNISH_ROOT(CloseSessionRequest),
+                                          BURNISH_ROOT(CloseSessionResponse),
+                                          BURNISH_ROOT(RenameSessionRequest),
+                                          BURNISH_ROOT(SessionInfo),
+                                          BURNISH_ROOT(DeleteSessionRequest),
+                                          BURNISH_ROOT(ApplyRequest),
+                                          BURNISH_ROOT(ApplyResponse),
+                                          BURNISH_ROOT(UploadCellFieldsRequest),
+                                          BURNISH_ROOT(GetHistoryRequest),
+                                          BURNISH_ROOT(GetHistoryResponse),
+                                          BURNISH_ROOT(ForkSessionRequest),
+                                          BURNISH_ROOT(ForkSessionResponse),
+                                          BURNISH_ROOT(GetPeopleRequest),
+                                          BURNISH_ROOT(People),
+                                          BURNISH_ROOT(SetRoleRequest),
+                                          BURNISH_ROOT(SetRoleResponse),
+                                          BURNISH_ROOT(GetStateRequest),
+                                          BURNISH_ROOT(SessionState),
+                                          BURNISH_ROOT(ClientMessage),
+                                          BURNISH_ROOT(ServerMessage),
+                                          BURNISH_ROOT(WatchRequest),
+                                          BURNISH_ROOT(GetCellsRequest),
+                                          BURNISH_ROOT(Chunk),
+                                          BURNISH_ROOT(GetPageValuesRequest),
+                                          BURNISH_ROOT(PageValues),
+                                          BURNISH_ROOT(GetDeviationRequest),
+                                          BURNISH_ROOT(Deviation),
+                                          BURNISH_ROOT(GetSectionRequest),
+                                          BURNISH_ROOT(Section),
+                                          BURNISH_ROOT(ExportRequest),
+                                          BURNISH_ROOT(ExportEvent)};
   return roots;
 }
+
+#undef BURNISH_ROOT
 
 void add_parts(const Descriptor& message, std::set<std::string>& names) {
   if (!names.insert(message.name()).second) return;
