@@ -6,6 +6,7 @@
 #include "client/scene/ridges.h"
 #include "client/scene/spatial_order.h"
 #include "client/scene/thinned_triangles.h"
+#include "common/base/check.h"
 #include "common/base/limits.h"
 #include "common/grid/grid.h"
 #include "common/mesh/reading/vertex_welder.h"
@@ -31,14 +32,25 @@ class PageCutter {
 
   void add(const Triangle& triangle) {
     if (!has_room(triangle)) begin_page();
-    PageTriangle local;
-    for (int corner = 0; corner < 3; ++corner) local[corner] = place_of(triangle[corner]);
-    pages_.back().triangles.push_back(local);
+    put(triangle);
+  }
+
+  /// Begins a page also where the last one has `texels_max` texels.
+  void add(const Triangle& triangle, double texels, double texels_max) {
+    if (!has_room(triangle) || texels_ + texels > texels_max) begin_page();
+    put(triangle);
+    texels_ += texels;
   }
 
   std::vector<PageMesh> take() { return std::move(pages_); }
 
  private:
+  void put(const Triangle& triangle) {
+    PageTriangle local;
+    for (int corner = 0; corner < 3; ++corner) local[corner] = place_of(triangle[corner]);
+    pages_.back().triangles.push_back(local);
+  }
+
   uint32_t newest() const { return static_cast<uint32_t>(pages_.size() - 1); }
 
   bool has_room(const Triangle& triangle) const {
@@ -49,6 +61,7 @@ class PageCutter {
   }
 
   void begin_page() {
+    texels_ = 0;
     PageMesh& page = pages_.emplace_back();
     page.positions.reserve(kPageVerticesMax);
     page.normals.reserve(kPageVerticesMax);
@@ -72,11 +85,12 @@ class PageCutter {
   std::vector<PageMesh> pages_;
   std::vector<uint32_t> page_of_;   // per vertex, the last page that has it
   std::vector<uint16_t> place_of_;  // per vertex, its number in that page
+  double texels_ = 0;               // of the newest page
 };
 
 }  // namespace
 
-static Eigen::AlignedBox3d box_of(const TriangleMesh& mesh) {
+Eigen::AlignedBox3d referenced_box(const TriangleMesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const Triangle& triangle : mesh.triangles)
     for (const uint32_t vertex : triangle) box.extend(mesh.vertices[vertex]);
@@ -84,7 +98,7 @@ static Eigen::AlignedBox3d box_of(const TriangleMesh& mesh) {
 }
 
 // The window's cube, so that ridges are shaded alike: they depend on the unit.
-static PageSpace space_around(const Eigen::AlignedBox3d& box) {
+PageSpace raw_page_space(const Eigen::AlignedBox3d& box) {
   if (box.sizes().maxCoeff() <= 0) return {box.center()};
   const GridFrame frame = make_grid_frame(box.min(), box.max(), kDepthMin);
   const double half = frame.cell_size * frame.cells_per_side() / 2;
@@ -128,24 +142,54 @@ static VertexAttributes attributes_of(const TriangleMesh& mesh, const PageSpace&
   return attributes;
 }
 
-static void add_in_order(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box,
-                         PageCutter& cutter) {
-  for (const uint32_t triangle : spatial_order(mesh, box)) cutter.add(mesh.triangles[triangle]);
-}
+namespace {
+
+/// A mesh on its way into pages.
+class RawMaker {
+ public:
+  explicit RawMaker(const TriangleMesh& mesh)
+      : box_(referenced_box(mesh)),
+        space_(raw_page_space(box_)),
+        attributes_(attributes_of(mesh, space_)) {}
+
+  /// Calls add(cutter, triangle) for the number of each triangle of `mesh`, in spatial order.
+  template <typename Add>
+  RawPages cut(const TriangleMesh& mesh, const Add& add) const {
+    RawPages raw{space_, box_, {}};
+    PageCutter cutter(attributes_);
+    raw.triangles = spatial_order(mesh, box_);
+    for (const uint32_t triangle : raw.triangles) add(cutter, triangle);
+    raw.pages = cutter.take();
+    return raw;
+  }
+
+ private:
+  const Eigen::AlignedBox3d box_;
+  const PageSpace space_;
+  const VertexAttributes attributes_;
+};
+
+}  // namespace
 
 RawPages make_raw_pages(const TriangleMesh& mesh, uint64_t triangles_max) {
-  RawPages raw;
-  raw.box = box_of(mesh);
-  raw.space = space_around(raw.box);
-  const VertexAttributes attributes = attributes_of(mesh, raw.space);
-  PageCutter cutter(attributes);
-  if (mesh.triangles.size() <= triangles_max) {
-    add_in_order(mesh, raw.box, cutter);
-  } else {
-    add_in_order({mesh.vertices, thinned_triangles(mesh, triangles_max), {}}, raw.box, cutter);
-  }
-  raw.pages = cutter.take();
-  return raw;
+  const RawMaker maker(mesh);
+  const auto cut = [&](const TriangleMesh& shown) {
+    return maker.cut(shown, [&](PageCutter& cutter, uint32_t triangle) {
+      cutter.add(shown.triangles[triangle]);
+    });
+  };
+  if (mesh.triangles.size() <= triangles_max) return cut(mesh);
+  RawPages thinned = cut({mesh.vertices, thinned_triangles(mesh, triangles_max), {}});
+  thinned.triangles = {};
+  return thinned;
+}
+
+RawPages make_raw_pages(const TriangleMesh& mesh, std::span<const float> texels,
+                        double texels_max) {
+  BURNISH_CHECK(texels.size() == mesh.triangles.size(), "a number of texels per triangle");
+  return RawMaker(mesh).cut(mesh, [&](PageCutter& cutter, uint32_t triangle) {
+    cutter.add(mesh.triangles[triangle], texels[triangle], texels_max);
+  });
 }
 
 }  // namespace burnish

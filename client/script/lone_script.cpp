@@ -1,5 +1,7 @@
 #include "client/script/lone_script.h"
 
+#include <iostream>
+
 #include "client/scene/png_writer.h"
 
 namespace burnish {
@@ -22,7 +24,8 @@ Status LoneScript::run(const std::vector<ScriptLine>& script, const std::string&
        .keep_picture = [](const Image& image,
                           const std::filesystem::path& path) { return write_png(image, path); },
        .patience = options_.patience,
-       .saving = options_.workspace.timeout});
+       .saving = options_.workspace.timeout,
+       .warn = [](const std::string& text) { std::cerr << "warning: " << text << "\n"; }});
   RETURN_IF_ERROR(connect(runner));
   return runner.run(script, name);
 }

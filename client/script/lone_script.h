@@ -23,7 +23,7 @@ class LoneScript {
  public:
   LoneScript(PageRenderer& renderer, ScriptOptions options);
 
-  /// Connects first. Fails: as ScriptRunner::run().
+  /// Connects first. Says warnings on standard error. Fails: as ScriptRunner::run().
   Status run(const std::vector<ScriptLine>& script, const std::string& name);
 
   Workspace& workspace() { return *workspace_; }

@@ -41,9 +41,11 @@ Status ScriptRunner::update() {
   workspace_.update();
   RETURN_IF_ERROR(workspace_.look());
   const auto& messages = workspace_.log.messages();
-  for (; messages_seen_ < messages.size(); ++messages_seen_)
-    if (messages[messages_seen_].severity == Severity::kError)
-      return failed_precondition(messages[messages_seen_].text);
+  for (; messages_seen_ < messages.size(); ++messages_seen_) {
+    const Message& message = messages[messages_seen_];
+    if (message.severity == Severity::kError) return failed_precondition(message.text);
+    if (message.severity == Severity::kWarning && host_.warn) host_.warn(message.text);
+  }
   return Status::ok();
 }
 

@@ -19,6 +19,8 @@ struct ScriptHost {
   std::function<Status(const Image&, const std::filesystem::path&)> keep_picture;
   std::chrono::milliseconds patience{600'000};  ///< limit for one command
   std::chrono::milliseconds saving{10'000};     ///< limit for edits to be saved
+  /// Tells a warning of the log that is new; null: nobody hears it.
+  std::function<void(const std::string&)> warn = nullptr;
 };
 
 /// Runs a script with a Workspace that is connected, as a user would.

@@ -195,7 +195,8 @@ def try_pictures(vertices, table, with_page):
         stack.callback(process.close)
         page = opened_page(process, with_page, "textured", stack)
         checks_of = {"colours in pictures": lambda: pictures.check_scan(process.socket, vertices),
-                     "level seams": lambda: seams_told(pictures.check_seams(process.socket, page))}
+                     "level seams": lambda: seams_told(pictures.check_seams(process.socket, page)),
+                     "sharp views": lambda: sharpness_told(pictures.check_sharpness(process.socket, page))}
         for case, check in checks_of.items():
             try:
                 table.add("textured", case, "right", check())
@@ -205,6 +206,10 @@ def try_pictures(vertices, table, with_page):
 
 def seams_told(steps):
     return "steps: " + ", ".join(f"{way} {before:.1f} to {after:.1f}" for way, (before, after) in steps.items())
+
+
+def sharpness_told(parts):
+    return "contrast: " + ", ".join(f"{way} {part:.2f}" for way, part in parts.items())
 
 
 def main(words=None):

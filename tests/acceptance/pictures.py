@@ -1,14 +1,13 @@
-"""A textured scan: edited colours go into its pictures, alike by every front."""
+"""A textured scan: edited colours go into its pictures, and views show its texels, alike by every front."""
 
 import functools
 import pathlib
-import struct
 import tempfile
 import zipfile
-import zlib
 
 import burnish
 import numpy as np
+from png_file import decoded, encoded
 
 import fronts
 
@@ -18,53 +17,8 @@ SMOOTH = [("--colour-beta", "0"), ("--colour-alpha", "5")]
 STRONG = [("--texture-gain", "2"), ("--remove-light", "0.5")]
 LEVEL = [("--level-seams", "1")]
 VIEW = ["camera 0 0", "colour scan", "light unlit"]
-
-
-def encoded(texels):
-    """Returns a picture (rows, columns, 3 bytes) as a PNG file."""
-    rows, columns, _ = texels.shape
-    def chunk(kind, data):
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-    lines = b"".join(b"\0" + row.tobytes() for row in texels)
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", columns, rows, 8, 2, 0, 0, 0))
-            + chunk(b"tEXt", b"Title\0skin") + chunk(b"IDAT", zlib.compress(lines)) + chunk(b"IEND", b""))
-
-
-def decoded(file):
-    """Returns the texels of a PNG file of 8 bits a channel and three channels."""
-    at, data, size = 8, b"", None
-    while at < len(file):
-        length, kind = struct.unpack(">I4s", file[at:at + 8])
-        body = file[at + 8:at + 8 + length]
-        size = struct.unpack(">II", body[:8]) if kind == b"IHDR" else size
-        data += body if kind == b"IDAT" else b""
-        at += 12 + length
-    columns, rows = size
-    lines = np.frombuffer(zlib.decompress(data), np.uint8).reshape(rows, 3 * columns + 1)
-    texels = np.zeros((rows, columns + 1, 3), np.int64)  # a column of zeros before the first one
-    above = np.zeros((columns + 1, 3), np.int64)
-    for y, line in enumerate(lines):
-        texels[y] = above = _unfiltered(int(line[0]), line[1:].reshape(columns, 3).astype(int), above)
-    return texels[:, 1:]
-
-
-def _unfiltered(kind, line, above):
-    """Undoes a row's filter. Source: the PNG specification, 9.2."""
-    row = np.zeros_like(above)
-    if kind in (0, 2):
-        row[1:] = (line + (above[1:] if kind == 2 else 0)) % 256
-        return row
-    for x, value in enumerate(line, 1):
-        left, up, corner = row[x - 1], above[x], above[x - 1]
-        guess = left if kind == 1 else (left + up) // 2 if kind == 3 else _paeth(left, up, corner)
-        row[x] = (value + guess) % 256
-    return row
-
-
-def _paeth(left, up, corner):
-    ways = np.abs(np.stack([up - corner, left - corner, left + up - 2 * corner]))
-    return np.where((ways[0] <= ways[1]) & (ways[0] <= ways[2]), left,
-                    np.where(ways[1] <= ways[2], up, corner))
+LIKE_VIEW = ["--view", "0,0", "--light", "unlit", "--size", "320x240"]
+WAVE = 12  # texels
 
 
 def make_scan(folder, vertices):
@@ -198,6 +152,77 @@ def _shown_step(picture):
     means = picture[rows * 2 // 5:rows * 3 // 5].astype(float).mean((0, 2))
     middle, beside = columns // 2, columns // 40
     return abs(means[middle - beside:middle - 1].mean() - means[middle + 1:middle + beside].mean())
+
+
+def check_sharpness(socket, page):
+    """Returns the contrast of every way to draw, as a part of the pattern's. `page`: None without one.
+
+    Raises AssertionError for what is not true.
+    """
+    with tempfile.TemporaryDirectory(prefix="burnish-") as name:
+        folder = pathlib.Path(name)
+        scan = make_pattern(folder)
+        packed = folder / "packed.zip"
+        fronts.run("filter", scan, packed, "--beta", 1)
+        pattern = _contrast(decoded((folder / "skin.png").read_bytes()))
+        shown = _drawn_files(scan, packed, folder) | _drawn_session(fronts.Server(socket, packed), page, folder)
+        parts = {way: _contrast(picture) / pattern for way, picture in shown.items()}
+        for way, part in parts.items():
+            assert 0.8 < part < 1.05, f"{way} shows {part:.2f} of the pattern's contrast"
+        apart = np.abs(shown["render"] - shown["script"]).max(2)
+        assert np.quantile(apart, 0.95) < 12, f"render and script differ by {np.quantile(apart, 0.95)} levels"
+        fronts.run("render", scan, folder / "clay.png", "--clay", *LIKE_VIEW)
+        clay = _contrast(decoded((folder / "clay.png").read_bytes())) / pattern
+        assert clay < 0.1, f"clay shows {clay:.2f} of the pattern's contrast"
+        return parts
+
+
+def _drawn_files(scan, packed, folder):
+    """Returns the pictures that are drawn without a server: of a folder's files, and of an archive."""
+    out = {way: folder / f"{way}.png" for way in ("render", "render of an archive", "Python")}
+    fronts.run("render", scan, out["render"], *LIKE_VIEW)
+    fronts.run("render", packed, out["render of an archive"], *LIKE_VIEW)
+    burnish.render(scan, out["Python"], view=(0, 0), size=(320, 240), light="unlit")
+    return {way: decoded(file.read_bytes()) for way, file in out.items()}
+
+
+def _drawn_session(server, page, folder):
+    ways = {"script": server.shown_by_script}
+    if page:
+        ways["page"] = functools.partial(server.shown_by_page, page)
+    shown = {}
+    for way, show in ways.items():
+        with server.opened() as session:
+            show(session, VIEW, folder / f"{way}.png")
+        shown[way] = decoded((folder / f"{way}.png").read_bytes())
+    return shown
+
+
+def _contrast(picture):
+    """Returns how much the middle's columns differ."""
+    rows, columns, _ = picture.shape
+    middle = picture[rows * 2 // 5:rows * 3 // 5, columns * 2 // 5:columns * 3 // 5]
+    return middle.astype(float).mean((0, 2)).std()
+
+
+def make_pattern(folder):
+    """Writes a square with a picture that is finer than its triangles. Returns the OBJ's file."""
+    side = 8
+    lines = ["mtllib skin.mtl", "usemtl skin"]
+    lines += [f"v {x} {y} {x * y % 3 / 9}" for y in range(side + 1) for x in range(side + 1)]
+    lines += [f"vt {x / side} {y / side}" for y in range(side + 1) for x in range(side + 1)]
+    for y in range(side):
+        for x in range(side):
+            a = y * (side + 1) + x + 1
+            b, c, d = a + 1, a + side + 2, a + side + 1
+            lines += [f"f {a}/{a} {b}/{b} {c}/{c}", f"f {a}/{a} {c}/{c} {d}/{d}"]
+    wave = 120 + 60 * np.sin(np.arange(SIDE) * (2 * np.pi / WAVE))
+    texels = np.broadcast_to(wave[None, :, None], (SIDE, SIDE, 3)).astype(np.uint8)
+    scan = folder / "scan.obj"
+    scan.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    (folder / "skin.mtl").write_text("newmtl skin\nmap_Kd skin.png\n", encoding="utf-8")
+    (folder / "skin.png").write_bytes(encoded(texels))
+    return scan
 
 
 def make_photos(folder):

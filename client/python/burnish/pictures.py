@@ -6,6 +6,7 @@ import pathlib
 import struct
 import subprocess
 import tempfile
+import warnings
 import zlib
 from typing import Iterator, Sequence
 
@@ -21,8 +22,9 @@ def render(source: PathLike | Mesh, picture: PathLike, *, view: tuple[float, flo
            size: tuple[int, int] = (1280, 960), light: str = "clay") -> None:
     """Draws a mesh, or a mesh file, as a PNG, by the program `burnish`.
 
-    `view`: azimuth from +z towards +x, elevation towards +y, degrees. `size`: pixels. `light`: as
-    `burnish render --help` lists them. Raises Error.
+    A file with pictures shows their texels; `light="unlit"` shows these as they are. `view`:
+    azimuth from +z towards +x, elevation towards +y, degrees. `size`: pixels. `light`: as `burnish
+    render --help` lists them. Warns of what cannot be shown. Raises Error.
     """
     with tempfile.TemporaryDirectory(prefix="burnish-") as folder:
         if isinstance(source, Mesh):
@@ -35,6 +37,9 @@ def render(source: PathLike | Mesh, picture: PathLike, *, view: tuple[float, flo
             capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise Error(done.stderr.strip())
+    for line in done.stderr.splitlines():
+        if line.startswith("warning: "):
+            warnings.warn(line.removeprefix("warning: "), stacklevel=2)
 
 
 def animate(pictures: Sequence[PathLike], film: PathLike, *, seconds: float = 0.2) -> None:

@@ -29,30 +29,38 @@ struct SurfaceFile {
   MeshSurroundings beside;
 };
 
+bool fits(const TexturedSurface& surface) {
+  return surface.textures.triangles.size() == surface.mesh.triangles.size();
+}
+
 Status hand_over(TexturedSurface surface, const SurfaceFile& file, const TakeSurface& take) {
   RETURN_IF_ERROR(validate(surface.mesh, FileSteps(file.beside.budget)).with_context(file.name));
-  if (surface.textures.triangles.size() != surface.mesh.triangles.size()) surface.textures = {};
+  if (!fits(surface)) surface.textures = {};
   return take(surface);
 }
 
-// The textures take the place of the colours that a scan without them would show.
+// The textures take the place of the colours that a scan without them shows.
+Status hand_over_in_place_of_colours(TexturedSurface surface, const SurfaceFile& file,
+                                     const TakeSurface& take) {
+  if (fits(surface)) surface.mesh.colours = {};
+  return hand_over(std::move(surface), file, take);
+}
+
 Status take_obj(const SurfaceFile& file, const TakeSurface& take) {
   TexturedSurface surface;
   ASSIGN_OR_RETURN(surface.mesh, read_obj(file.bytes, file.name, FileSteps(file.beside.budget)));
-  surface.mesh.colours = {};
   if (file.beside.files != nullptr) {
     ASSIGN_OR_RETURN(surface.textures, read_obj_textures(file.bytes, file.beside));
   }
-  return hand_over(std::move(surface), file, take);
+  return hand_over_in_place_of_colours(std::move(surface), file, take);
 }
 
 Status take_ply(const SurfaceFile& file, const TakeSurface& take) {
   TexturedSurface surface;
   ASSIGN_OR_RETURN(surface.mesh, read_ply(file.bytes, file.name, FileSteps(file.beside.budget)));
-  surface.mesh.colours = {};
   if (file.beside.files != nullptr)
     surface.textures = read_ply_textures(file.bytes, surface.mesh.triangles, file.beside);
-  return hand_over(std::move(surface), file, take);
+  return hand_over_in_place_of_colours(std::move(surface), file, take);
 }
 
 Status take_gltf(const SurfaceFile& file, const TakeSurface& take) {

@@ -15,7 +15,9 @@ namespace burnish {
 
 /// A scan's surface with the textures of its file.
 struct TexturedSurface {
-  TriangleMesh mesh;  ///< its colours, if it has any, multiply the textures in linear light
+  /// Its colours, if it has any, multiply the textures in linear light. An OBJ or a PLY has them
+  /// only without textures.
+  TriangleMesh mesh;
   /// Without triangles if the file has none, or if they do not fit the mesh.
   SurfaceTextures textures;
 };

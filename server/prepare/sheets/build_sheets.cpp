@@ -122,7 +122,7 @@ Result<bool> build_sheets(const SheetsInput& scan, const std::filesystem::path& 
   use_threads(options.threads);
   MachineBudget machine;
   PreparationBudget& budget = options.budget != nullptr ? *options.budget : machine;
-  SheetsNeed need(scan, options, budget);
+  SheetsNeed need(scan.surface.mesh, options, budget);
   return SheetsBuilder(scan, path, options, need, progress, filled).build();
 } catch (const WorkCancelled&) {
   return cancelled("making sheets was cancelled");

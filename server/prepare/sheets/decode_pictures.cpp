@@ -35,7 +35,9 @@ class PictureDecoder {
     const double part =
         static_cast<double>(picture) / static_cast<double>(textures_.pictures.size());
     if (!rows_.goes_on(part)) return cancelled("reading pictures was cancelled");
-    if (picture >= kTexturePicturesMax) return Status::ok();
+    if (picture >= kTexturePicturesMax)
+      return unimplemented("picture " + std::to_string(picture) + ": the limit of a scan is " +
+                           std::to_string(kTexturePicturesMax));
     ASSIGN_OR_RETURN(const auto file, shown.read());
     decoded_.fingerprint =
         (decoded_.fingerprint ^ sealed_checksum(file, 0, 0)) * 0xd6e8feb86659fd93;
@@ -75,7 +77,10 @@ Result<DecodedPictures> decode_pictures(const SurfaceTextures& textures, const s
   for (uint32_t picture = 0; picture < is_shown.size(); ++picture) {
     if (is_shown[picture] == 0) continue;
     const Status status = decoder.decode(picture);
-    if (!status.is_ok() && !can_be_left_out(status, textures)) return status;
+    if (!status.is_ok()) {
+      if (!can_be_left_out(status, textures)) return status;
+      decoded.left_out.push_back(status);
+    }
     decoded.count += decoded.tiles.has(picture);
   }
   return decoded;

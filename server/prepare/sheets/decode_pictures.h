@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "common/base/progress.h"
 #include "common/base/status.h"
@@ -18,8 +19,9 @@ using AdmitBytes = std::function<Status(uint64_t memory_bytes, uint64_t scratch_
 /// The pictures that a scan shows.
 struct DecodedPictures {
   PictureTiles tiles;
-  uint64_t fingerprint = 0;  ///< of their files
-  uint64_t count = 0;        ///< that have texels
+  uint64_t fingerprint = 0;      ///< of their files
+  uint64_t count = 0;            ///< that have texels
+  std::vector<Status> left_out;  ///< why pictures have none, or not all
 };
 
 /// Decodes the pictures that triangles show, one after the other, into a scratch file of a folder.

@@ -1,22 +1,15 @@
 #include "server/prepare/sheets/page_maker.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "common/sheets/chart_codec.h"
 #include "common/sheets/sheet_codec.h"
 #include "common/sheets/sheet_density.h"
-#include "common/sheets/sheet_limits.h"
 #include "common/sheets/sheet_source.h"
-#include "server/prepare/sheets/picture_sampler.h"
+#include "server/prepare/sheets/page_paint.h"
+#include "server/prepare/sheets/painted_sheets.h"
 
 namespace burnish {
-
-/// Returns the density at which an area fills a sheet.
-static double densest_density(double area) {
-  return kSheetSideMax / std::sqrt(area);
-}
 
 EncodedPage PageMaker::make(PageId id, const LevelSheets* finer, LevelSheets& made,
                             const std::function<void()>& ask) const {
@@ -46,27 +39,7 @@ Result<PageSheets> PageMaker::paint(EncodedPage& encoded, const Page& page,
   const PagePaint paint(page, scan_.surface, tiles_, finder_, scan_.seams);
   encoded.used_texels = paint.used_texels();
   encoded.lost_triangles = paint.lost_triangles();
-  PictureSampler sampler(tiles_);
-  const double native = painted_density(page, paint);
-  PageSheetsWish wish{.step = step_, .ask = ask};
-  wish.density = std::min(native, densest_density(page_area(page, step_)));
-  // Pictures that do not fit on a sheet have two texels for one of it in places.
-  wish.samples_per_side = wish.density < native ? 2 : 1;
-  wish.source = [&](double density) -> Result<BakeSource> {
-    return paint.source(sampler, density * step_);
-  };
-  auto made = make_page_sheets(page, wish);
-  RETURN_IF_ERROR(sampler.status());
-  return made;
-}
-
-/// Returns the density of a page's pictures. A page without any gets what a coarse page has.
-double PageMaker::painted_density(const Page& page, const PagePaint& paint) const {
-  const size_t triangles = page.triangles.size();
-  const double area = page_area(page, step_);
-  if (paint.painted_area() <= 0) return edge_density(kTexelsPerEdge, triangles, area);
-  const double native = native_density(paint.used_texels(), paint.painted_area() * step_ * step_);
-  return std::max(native, edge_density(kTexelsPerEdge / 4, triangles, area));
+  return make_painted_sheets(page, paint, tiles_, {.step = step_, .ask = ask});
 }
 
 /// Makes sheets of a coarser level from those of the pages that it replaces.

@@ -8,7 +8,6 @@
 #include "common/pages/page_file.h"
 #include "server/prepare/sheets/build_sheets.h"
 #include "server/prepare/sheets/level_sheets.h"
-#include "server/prepare/sheets/page_paint.h"
 #include "server/prepare/sheets/page_sheets.h"
 #include "server/prepare/sheets/picture_tiles.h"
 #include "server/prepare/sheets/triangle_finder.h"
@@ -46,7 +45,6 @@ class PageMaker {
               const std::function<void()>& ask) const;
   Result<PageSheets> paint(EncodedPage& encoded, const Page& page,
                            const std::function<void()>& ask) const;
-  double painted_density(const Page& page, const PagePaint& paint) const;
   Result<PageSheets> join(const Page& page, const LevelSheets& finer,
                           const std::function<void()>& ask) const;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "common/base/check.h"
 #include "common/mesh/srgb.h"
 #include "common/mesh/textures/shown_picture.h"
 
@@ -57,9 +58,26 @@ PagePaint::PagePaint(const Page& page, const TexturedSurface& surface, const Pic
       ++lost_triangles_;
       continue;
     }
-    triangles_.push_back(painted(corners, *found, surface));
-    count(triangles_.back());
+    add(corners, *found, surface);
   }
+}
+
+PagePaint::PagePaint(const Page& page, const TexturedSurface& surface, const PictureTiles& tiles,
+                     std::span<const uint32_t> triangles)
+    : tiles_(tiles), seams_(nullptr) {
+  BURNISH_CHECK(triangles.size() == page.triangles.size(), "one triangle of the scan for each");
+  triangles_.reserve(triangles.size());
+  for (size_t t = 0; t < triangles.size(); ++t) {
+    std::array<Vec3d, 3> corners;
+    for (int k = 0; k < 3; ++k) corners[k] = page.positions[page.triangles[t][k]].cast<double>();
+    add(corners, {triangles[t], 0}, surface);
+  }
+}
+
+void PagePaint::add(const std::array<Vec3d, 3>& places, const FoundTriangle& found,
+                    const TexturedSurface& surface) {
+  triangles_.push_back(painted(places, found, surface));
+  count(triangles_.back());
 }
 
 void PagePaint::count(const Painted& painted) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "common/base/types.h"
@@ -24,6 +25,9 @@ class PagePaint {
   /// `seams`: of the surface; null: they stay. Needs: the arguments outlive this and its source.
   PagePaint(const Page& page, const TexturedSurface& surface, const PictureTiles& tiles,
             const TriangleFinder& finder, const LevelledSeams* seams = nullptr);
+  /// The same for a page whose triangles are these of the scan, each from its first corner on.
+  PagePaint(const Page& page, const TexturedSurface& surface, const PictureTiles& tiles,
+            std::span<const uint32_t> triangles);
 
   /// Texels of pictures inside the page's triangles, and the area of these triangles in steps².
   double used_texels() const { return used_texels_; }
@@ -53,6 +57,8 @@ class PagePaint {
   };
   static Texel texel_of(const Painted& painted, const Drawn& drawn, const Vec3d& weights,
                         PictureSampler& sampler);
+  void add(const std::array<Vec3d, 3>& places, const FoundTriangle& found,
+           const TexturedSurface& surface);
   Painted painted(const std::array<Vec3d, 3>& places, const FoundTriangle& found,
                   const TexturedSurface& surface) const;
   void tint(Painted& painted, const FoundTriangle& found, const TexturedSurface& surface) const;

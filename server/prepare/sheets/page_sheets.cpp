@@ -86,7 +86,8 @@ Result<PageSheets> make_page_sheets(const Page& page, const PageSheetsWish& wish
   ASSIGN_OR_RETURN(BakeSource source, wish.source(finest.density));
   bake(finest, page, made.charts, wish.samples_per_side, wish, std::move(source));
   const size_t count =
-      sheet_count(finest.density, page.triangles.size(), page_area(page, wish.step));
+      std::min(sheet_count(finest.density, page.triangles.size(), page_area(page, wish.step)),
+               wish.sheets_max);
   made.sheets.reserve(count);
   made.sheets.push_back(std::move(finest));
   for (uint8_t halving = 1; halving < count; ++halving) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "common/sheets/bake_sheet.h"
 #include "common/sheets/chart.h"
 #include "common/sheets/sheet.h"
+#include "common/sheets/sheet_limits.h"
 
 namespace burnish {
 
@@ -24,6 +26,7 @@ struct PageSheetsWish {
   double step = 1;           ///< of PageGrid, file units
   double density = 0;        ///< that the finest sheet gets if it fits; texels per file unit
   int samples_per_side = 1;  ///< of a texel of the finest sheet
+  size_t sheets_max = kSheetsPerPageMax;  ///< the finest ones; at least 1
   /// Returns the source of the finest sheet, whose density is known now.
   std::function<Result<BakeSource>(double density)> source;
   /// Is asked often; leaves cancelled work by an exception.

@@ -13,10 +13,9 @@ static constexpr uint64_t kBytesPerThread = 64 << 20;  // a page's sheets, its f
 static constexpr uint64_t kBytesPerTriangle = 40;      // of the finder; charts of two levels
 static constexpr uint64_t kBytesPerVertex = 48;        // of the finder
 
-SheetsNeed::SheetsNeed(const SheetsInput& scan, const SheetsOptions& options,
+SheetsNeed::SheetsNeed(const MeshView& mesh, const SheetsOptions& options,
                        PreparationBudget& budget)
     : budget_(budget), held_bytes_(options.held_bytes) {
-  const MeshView mesh = scan.surface.mesh;
   const uint64_t arrays =
       mesh.triangles.size() * kBytesPerTriangle + mesh.vertices.size() * kBytesPerVertex;
   arrays_in_memory_ = std::min(arrays, options.space.memory_bytes_max());

@@ -13,7 +13,7 @@ namespace burnish {
 class SheetsNeed {
  public:
   /// Needs: the budget outlives this.
-  SheetsNeed(const SheetsInput& scan, const SheetsOptions& options, PreparationBudget& budget);
+  SheetsNeed(const MeshView& mesh, const SheetsOptions& options, PreparationBudget& budget);
 
   /// A picture comes, before any array is there. Fails: as the budget does.
   Status ask_for_picture(uint64_t memory_bytes, uint64_t scratch_bytes);

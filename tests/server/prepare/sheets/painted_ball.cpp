@@ -117,7 +117,7 @@ std::vector<uint8_t> PaintedBall::zip() const {
 
 std::vector<uint8_t> zip_of(const std::string& obj, const std::string& png) {
   const std::vector<uint8_t> mesh = bytes_of(obj);
-  const std::vector<uint8_t> material = bytes_of("newmtl skin\nmap_Kd skin.png\n");
+  const std::vector<uint8_t> material = bytes_of(std::string("newmtl skin\nmap_Kd skin.png\n"));
   const std::vector<uint8_t> skin = bytes_of(png);
   const std::vector<FileToPack> files = {
       {"ball.obj", mesh}, {"ball.mtl", material}, {"skin.png", skin}};

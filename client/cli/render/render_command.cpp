@@ -1,15 +1,16 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <iostream>
 #include <memory>
 
 #include "client/cli/command.h"
 #include "client/cli/commands.h"
 #include "client/cli/in_range.h"
 #include "client/cli/print_json.h"
+#include "client/cli/render/scan_picture.h"
 #include "client/pictures/picture.h"
 #include "client/scene/png_writer.h"
-#include "common/mesh/io/mesh_io.h"
 #include "common/mesh/mesh_format.h"
 
 namespace burnish {
@@ -70,17 +71,23 @@ Status check_picture_name(const std::filesystem::path& path) {
                           "' is not a picture format; use .png");
 }
 
+ScanColours colours_of(const RenderOptions& options) {
+  if (options.clay) return ScanColours::kNone;
+  return options.colours ? ScanColours::kNeeded : ScanColours::kIfAny;
+}
+
 Status render(const RenderOptions& options) {
   RETURN_IF_ERROR(check_picture_name(options.out));
-  ASSIGN_OR_RETURN(const TriangleMesh mesh, read_mesh(options.scan));
-  if (options.colours && mesh.colours.empty())
-    return failed_precondition(options.scan + " has no colours");
-  PictureOptions picture = options.picture;
-  if (!mesh.colours.empty() && !options.clay) picture.style.colouring = Colouring::kScan;
-  ASSIGN_OR_RETURN(const Image image, draw_picture(mesh, picture));
+  ASSIGN_OR_RETURN(const ScanPicture drawn,
+                   draw_scan_picture(options.scan, options.picture, colours_of(options)));
+  for (const std::string& warning : drawn.warnings) std::cerr << "warning: " << warning << "\n";
+  const Image& image = drawn.image;
   RETURN_IF_ERROR(write_png(image, options.out));
   if (options.json) {
-    print_json({{"out", options.out}, {"width", image.size.width}, {"height", image.size.height}});
+    print_json({{"out", options.out},
+                {"width", image.size.width},
+                {"height", image.size.height},
+                {"textured", drawn.is_textured}});
     return Status::ok();
   }
   std::printf("%s: %dx%d pixels\n", options.out.c_str(), image.size.width, image.size.height);
@@ -156,8 +163,10 @@ void add_render_command(CommandTable& commands) {
   add_light_options(*command, picture.style.lighting);
   CLI::Option* const clay = command->add_flag("--clay", options->clay, "Show the shape alone");
   command
-      ->add_flag("--colours", options->colours,
-                 "Show the scan's own colours; the default for scans that have some")
+      ->add_flag(
+          "--colours", options->colours,
+          "Show the scan's own colours, and the texels of its pictures; the default for scans that "
+          "have some")
       ->excludes(clay);
   command->add_flag("--flat", picture.style.flat, "Give each triangle one shade");
   command->add_flag("--json", options->json, "Print the result as JSON");
