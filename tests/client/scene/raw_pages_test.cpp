@@ -46,6 +46,28 @@ TEST(RawPages, HoldAllTrianglesOnceWithinTheLimitsOfPages) {
   for (const auto& [triangle, left] : balance) ASSERT_EQ(left, 0);
 }
 
+TEST(RawPages, EndWhereTheirTrianglesHaveEnoughTexels) {
+  const TriangleMesh mesh = coloured_blob();
+  std::vector<float> texels(mesh.triangles.size(), 1);
+  texels[7] = 1000;
+  const RawPages raw = make_raw_pages(mesh, texels, 100);
+  ASSERT_EQ(raw.triangles.size(), mesh.triangles.size());
+  size_t at = 0;
+  for (const PageMesh& page : raw.pages) {
+    double sum = 0;
+    for (const PageTriangle& triangle : page.triangles) {
+      const uint32_t number = raw.triangles[at++];
+      sum += texels[number];
+      for (int k = 0; k < 3; ++k) {
+        const Vec3d& vertex = mesh.vertices[mesh.triangles[number][k]];
+        EXPECT_LT((raw.space.to_file(page.positions[triangle[k]]) - vertex).norm(), 1e-5);
+      }
+    }
+    EXPECT_TRUE(sum <= 100 || page.triangles.size() == 1) << sum;
+  }
+  EXPECT_EQ(at, mesh.triangles.size());
+}
+
 TEST(RawPages, VerticesLookAsThoseOfTheWholeMeshInEveryPage) {
   const TriangleMesh mesh = coloured_blob();
   const RawPages raw = make_raw_pages(mesh);

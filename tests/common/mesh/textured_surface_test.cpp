@@ -67,6 +67,13 @@ TEST(TexturedSurface, WithoutMaterialsHasNoTextures) {
   EXPECT_TRUE(taken.surface->textures.triangles.empty());
 }
 
+TEST(TexturedSurface, WithoutTexturesKeepsAnObjsOwnColours) {
+  const std::string obj = "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\nf 1 2 3\n";
+  const Taken taken = read_surface(packed({{"square.obj", obj}}), MeshFormat::kZip);
+  ASSERT_TRUE(taken.status.is_ok()) << taken.status.to_string();
+  EXPECT_TRUE(taken.surface->mesh.has_colours());
+}
+
 TEST(TexturedSurface, OfAFormatWithoutTexturesIsRefused) {
   const Taken taken = read_surface({}, MeshFormat::kStl);
   EXPECT_EQ(taken.status.code(), StatusCode::kInvalidArgument);
