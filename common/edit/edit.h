@@ -35,6 +35,7 @@ enum class CellTarget {
   kFields,      ///< α and β, over all paint
   kEdges,       ///< paints the strength of kept edges
   kProtection,  ///< whether the cell is in the protected region
+  kTexture,     ///< paints the texture gain
 };
 
 /// Sets single cells, as `--cell-field` reads them; other cells keep what they have.
@@ -43,7 +44,8 @@ struct SetCellFields {
     Vec3i cell;     ///< grid units
     double alpha1;  ///< user units; of kFields alone
     double alpha2;  ///< user units; of kFields alone
-    double beta;    ///< of kEdges: the strength, 0 to 1; of kProtection: 1 or 0
+    double beta;    ///< of kEdges: the strength, 0 to 1; of kProtection: 1 or 0; of kTexture: the
+                    ///< gain, 0 to kTextureGainMax
   };
   std::vector<Cell> cells;
   CellTarget target = CellTarget::kFields;

@@ -53,6 +53,8 @@ Status check_fields(const SetCellFields::Cell& cell) {
 Status check_cell(const SetCellFields::Cell& cell, CellTarget target) {
   if (target == CellTarget::kFields) return check_fields(cell);
   if (target == CellTarget::kEdges) return check_between("strength", cell.beta, 0, 1);
+  if (target == CellTarget::kTexture)
+    return check_between("texture gain", cell.beta, 0, kTextureGainMax);
   if (cell.beta == 0 || cell.beta == 1) return Status::ok();
   return invalid_argument("protection " + number(cell.beta) + " is neither 0 nor 1");
 }
@@ -66,6 +68,7 @@ Status check_cells(const SetCellFields& change) {
 
 const char* name_of(CellTarget target) {
   if (target == CellTarget::kEdges) return "edges kept in ";
+  if (target == CellTarget::kTexture) return "texture gain in ";
   return target == CellTarget::kProtection ? "protection of " : "fields of ";
 }
 
@@ -275,6 +278,8 @@ EditEffects effects_of(const Brush& brush) {
 
 bool needs_colours(const Change& change) {
   const auto* stroke = std::get_if<Stroke>(&change);
+  const auto* cells = std::get_if<SetCellFields>(&change);
+  if (cells) return cells->target == CellTarget::kTexture;
   return std::holds_alternative<SetColour>(change) || std::holds_alternative<SetTexture>(change) ||
          (stroke && (stroke->brush.colour || stroke->brush.texture));
 }

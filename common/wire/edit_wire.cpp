@@ -333,6 +333,7 @@ v1::SetCellFields to_wire(const SetCellFields& change, size_t first, size_t coun
   v1::SetCellFields message;
   if (change.target == CellTarget::kEdges) message.set_edges(true);
   if (change.target == CellTarget::kProtection) message.set_protection(true);
+  if (change.target == CellTarget::kTexture) message.set_texture(true);
   for (size_t n = first; n < first + count; ++n) {
     const SetCellFields::Cell& cell = change.cells[n];
     v1::CellField* entry = message.add_cells();
@@ -348,6 +349,7 @@ v1::SetCellFields to_wire(const SetCellFields& change, size_t first, size_t coun
 
 static CellTarget target_of(const v1::SetCellFields& message) {
   if (message.edges()) return CellTarget::kEdges;
+  if (message.texture()) return CellTarget::kTexture;
   return message.protection() ? CellTarget::kProtection : CellTarget::kFields;
 }
 

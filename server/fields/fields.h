@@ -46,8 +46,9 @@ class Fields {
   /// Paints dabs that are done. Leaves out the cells for which `is_spared` is true.
   void paint(const Brush& brush, const ConnectedDabs& dabs,
              const std::function<bool(int64_t)>& is_spared = {});
-  /// Paints the strength of kept edges in single cells, over earlier paint. Leaves out the cells
-  /// for which `is_spared` is true. Needs: a change of kEdges whose cells are active.
+  /// Paints the strength of kept edges or the texture gain in single cells, over earlier paint.
+  /// Leaves out the cells for which `is_spared` is true. Needs: a change of kEdges or kTexture
+  /// whose cells are active.
   void paint(const SetCellFields& change, const std::function<bool(int64_t)>& is_spared = {});
   /// Returns the cells that these dabs may reach, and few others; rising.
   std::vector<int64_t> cells_near(const Brush& brush, std::span<const Vec3d> centres) const;

@@ -84,14 +84,15 @@ void Fields::paint(const Brush& brush, const ConnectedDabs& dabs,
 }
 
 void Fields::paint(const SetCellFields& change, const std::function<bool(int64_t)>& is_spared) {
-  PaintLayer& layer = make_layer(kEdgesLayer);
+  const size_t number = layer_of(change.target).value();
+  PaintLayer& layer = make_layer(number);
   for (const SetCellFields::Cell& cell : change.cells) {
     const int32_t c = index_of_cell(prepared_, cell.cell).value();
     if (is_spared && is_spared(c)) continue;
     may_have_paint_[c / kStretch] = 1;
     layer.blend(c, 0, cell.beta);
   }
-  mark_painted(kEdgesLayer);
+  mark_painted(number);
 }
 
 /// Lets a painted curve cover those that rule a cell so far.

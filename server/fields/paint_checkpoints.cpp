@@ -33,7 +33,7 @@ uint64_t hash_of(const Stroke& stroke) {
 }
 
 uint64_t hash_of(const SetCellFields& cells) {
-  uint64_t hash = kEdgesLayer;
+  uint64_t hash = layer_of(cells.target).value();
   for (const SetCellFields::Cell& cell : cells.cells) {
     const double values[] = {double(cell.cell.x()), double(cell.cell.y()), double(cell.cell.z()),
                              cell.beta};

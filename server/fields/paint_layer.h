@@ -42,12 +42,17 @@ inline size_t layer_of(const Brush& brush) {
   return brush.colour ? kColourLayer : kBetaLayer;
 }
 
+/// Returns the layer that edits of single cells paint, nothing for cells that are not paint.
+inline std::optional<size_t> layer_of(CellTarget target) {
+  if (target == CellTarget::kEdges) return kEdgesLayer;
+  return target == CellTarget::kTexture ? std::optional(kTextureLayer) : std::nullopt;
+}
+
 /// Returns the layer that an edit paints, nothing if it paints none.
 inline std::optional<size_t> painted_layer(const Change& change) {
   if (const auto* stroke = std::get_if<Stroke>(&change)) return layer_of(stroke->brush);
   const auto* cells = std::get_if<SetCellFields>(&change);
-  const bool paints = cells && cells->target == CellTarget::kEdges && !cells->cells.empty();
-  return paints ? std::optional(kEdgesLayer) : std::nullopt;
+  return cells && !cells->cells.empty() ? layer_of(cells->target) : std::nullopt;
 }
 
 /// Painted cells of all layers.

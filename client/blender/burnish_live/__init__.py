@@ -15,6 +15,7 @@ SECONDS_BETWEEN_FRAMES = 0.05
 
 SLIDERS = "SLIDERS"
 PAINTS = (("beta", "Gradient scale", "The painted scale where the weight is 1"),
+          ("texture", "Texture gain", "The painted gain where the weight is 1; of scans with colours or pictures"),
           ("edges", "Kept edges", "Takes noise and keeps edges, all of it where the weight is 1"),
           ("protection", "Protection", "Nothing moves where the weight is half or more"))
 
@@ -93,7 +94,10 @@ class Settings(bpy.types.PropertyGroup):
             name="Vertex group", description="Where Paint edits, and how much"),
         "painted": bpy.props.FloatProperty(
             name="Painted scale", default=0, min=0, max=10, soft_max=4,
-            description="The gradient scale where the weight is 1; at weight 0 the surface stays")}
+            description="The gradient scale where the weight is 1; at weight 0 the surface stays"),
+        "gain": bpy.props.FloatProperty(
+            name="Painted gain", default=2, min=0, max=4,
+            description="The texture gain where the weight is 1; at weight 0 the texels stay")}
 
 
 class Step(bpy.types.Operator):
@@ -150,7 +154,8 @@ class Paint(Step):
     bl_description = "Edit where the vertex group is, by its weights"
 
     def work(self, one, settings):
-        links[one.name].paint(one, settings.group, settings.paints, settings.painted)
+        value = settings.gain if settings.paints == "texture" else settings.painted
+        links[one.name].paint(one, settings.group, settings.paints, value)
 
 
 class Undo(Step):
@@ -191,6 +196,8 @@ class Panel(bpy.types.Panel):
         layout.prop(settings, "paints")
         if settings.paints == "beta":
             layout.prop(settings, "painted", slider=True)
+        if settings.paints == "texture":
+            layout.prop(settings, "gain", slider=True)
         for name in ("paint", "undo", "finish", "end"):
             layout.operator(f"burnish.{name}")
 

@@ -118,12 +118,13 @@ class Link:
             self._shown[0].drop()
             self._shown = None
 
-    def paint(self, mesh_object, group, what, beta):
-        """Edits where a vertex group is; vertices of weight 0 stay. `what`: "beta", a weight of 1 is
-        `beta`; "edges", it takes all noise; "protection", half and more protects."""
+    def paint(self, mesh_object, group, what, value):
+        """Edits where a vertex group is; vertices of weight 0 stay. `what`: "beta" or "texture", a weight of 1
+        is `value`; "edges", it takes all noise; "protection", half and more protects."""
         weights = weights_of(mesh_object, group)
         inside = np.where(weights > 0, weights, np.nan)
-        edits = {"beta": lambda: self.live.cell_fields(1 + inside * (beta - 1)),
+        edits = {"beta": lambda: self.live.cell_fields(1 + inside * (value - 1)),
+                 "texture": lambda: self.live.cell_texture(1 + inside * (value - 1)),
                  "edges": lambda: self.live.cell_edges(inside),
                  "protection": lambda: self.live.cell_protection(inside)}
         self._made_together.append(len(self.live.apply(edits[what]())))

@@ -9,7 +9,7 @@
 """
 
 from ._version import __version__
-from .cells import CellEdges, CellFields, CellProtection
+from .cells import CellEdges, CellFields, CellProtection, CellTexture
 from .connection import Connection, connect
 from .edits import (Band, Brush, ColourFilter, Controls, EdgeFilter, Equaliser, GradientScale,
                     Palette, PaletteCurve, Stroke, TextureFilter, TransferCurve)
@@ -34,7 +34,7 @@ from .serving import Server, serve
 from .session import Session
 
 __all__ = [
-    "AlreadyExists", "Band", "Brush", "Cancelled", "CellEdges", "CellFields", "CellProtection",
+    "AlreadyExists", "Band", "Brush", "Cancelled", "CellEdges", "CellFields", "CellProtection", "CellTexture",
     "ClearProtected", "ColourFilter", "Connection", "Controls", "Damaged", "DeadlineExceeded", "Deviation", "EdgeFilter",
     "EdgeProposal", "Entry", "Equaliser", "Error", "Exported", "FailedPrecondition", "Filtered",
     "Frame", "Gesture", "GradientScale", "GrowProtected", "Histogram", "Internal",

@@ -60,6 +60,21 @@ class CellEdges(SingleCells):
 
 
 @dataclasses.dataclass(frozen=True)
+class CellTexture(SingleCells):
+    """Paints the texture gain in single cells, over earlier paint.
+
+    `cells`: as those of CellFields. `gain`: n numbers or one, 0 to 4; 1 leaves the texels as they are.
+    The scan must have colours or pictures.
+    """
+
+    cells: npt.ArrayLike
+    gain: npt.ArrayLike
+
+    def to_wire(self) -> dict[str, Any]:
+        return _wire(self.cells, {"texture": True}, beta=self.gain)
+
+
+@dataclasses.dataclass(frozen=True)
 class CellProtection(SingleCells):
     """Protects single cells, and releases others.
 

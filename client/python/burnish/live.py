@@ -15,7 +15,7 @@ from burnish.v1 import editing_pb2
 
 from ._arguments import with_change
 from ._calls import Calls
-from .cells import CellEdges, CellFields, CellProtection
+from .cells import CellEdges, CellFields, CellProtection, CellTexture
 from .edits import Change, rows
 from .errors import Error, FailedPrecondition
 from .frame import Frame
@@ -189,6 +189,14 @@ class Live:
         NaN leaves a cell as it is. Cells as in cell_fields(). Raises ValueError.
         """
         return self._weighed().edges(strength)
+
+    def cell_texture(self, gain: npt.ArrayLike) -> CellTexture:
+        """Returns an edit that paints the texture gain, by values per vertex.
+
+        `gain`: n numbers, 0 to 4, in the order of the frames' vertices; 1 leaves the texels as they
+        are, NaN a cell. Cells as in cell_fields(). Raises ValueError.
+        """
+        return self._weighed().texture(gain)
 
     def cell_protection(self, weights: npt.ArrayLike) -> CellProtection:
         """Returns an edit that protects cells by weights per vertex.

@@ -7,10 +7,11 @@ import dataclasses
 import numpy as np
 import numpy.typing as npt
 
-from .cells import CellEdges, CellFields, CellProtection
+from .cells import CellEdges, CellFields, CellProtection, CellTexture
 
 SAMPLES_PER_CELL = 3
 SAMPLES_MAX = 64
+GAIN_MAX = 4
 Floats = npt.NDArray[np.float64]
 
 
@@ -32,17 +33,21 @@ class Weighed:
         """See Live.cell_edges()."""
         return CellEdges(*self._weights(strength, "strength"))
 
+    def texture(self, gain: npt.ArrayLike) -> CellTexture:
+        """See Live.cell_texture()."""
+        return CellTexture(*self._weights(gain, "gain", GAIN_MAX))
+
     def protection(self, weights: npt.ArrayLike) -> CellProtection:
         """See Live.cell_protection()."""
         cells, means = self._weights(weights, "weights")
         return CellProtection(cells, means >= 0.5)
 
-    def _weights(self, weights: npt.ArrayLike,
-                 name: str) -> tuple[npt.NDArray[np.int64], Floats]:
+    def _weights(self, weights: npt.ArrayLike, name: str,
+                 most: int = 1) -> tuple[npt.NDArray[np.int64], Floats]:
         values = _per_vertex(weights, len(self.vertices), name)
-        wrong = values[(values < 0) | (values > 1)]
+        wrong = values[(values < 0) | (values > most)]
         if wrong.size:
-            raise ValueError(f"{name} has {wrong[0]:g}: each must be within 0 to 1, or NaN")
+            raise ValueError(f"{name} has {wrong[0]:g}: each must be within 0 to {most}, or NaN")
         cells, (means,) = self._means(**{name: weights})
         return cells, means
 

@@ -1,6 +1,7 @@
 """Runs in Blender, for blender_test.py: edits a mesh by the add-on, and prints facts as JSON."""
 
 import json
+import pathlib
 import sys
 
 import bpy
@@ -12,7 +13,7 @@ FOLDER, = sys.argv[sys.argv.index("--") + 1:]
 bpy.ops.preferences.addon_install(filepath=f"{FOLDER}/burnish_live.zip")
 bpy.ops.preferences.addon_enable(module="burnish_live")
 import burnish_live
-from burnish_live.link import places_of
+from burnish_live.link import places_of, triangles_of
 
 bpy.ops.mesh.primitive_uv_sphere_add(segments=64, ring_count=32)
 ball = bpy.context.object
@@ -124,6 +125,30 @@ try:
     bpy.ops.burnish.paint()
 except RuntimeError as error:
     facts["wrong group"] = str(error)
+
+coloured = pathlib.Path(FOLDER) / "coloured.ply"
+coloured.write_text("\n".join(
+    ["ply", "format ascii 1.0", f"element vertex {len(bumps)}",
+     *(f"property float {axis}" for axis in "xyz"),
+     *(f"property uchar {channel}" for channel in ("red", "green", "blue")),
+     f"element face {len(triangles_of(ball.data))}", "property list uchar int vertex_indices", "end_header",
+     *(" ".join([*map(repr, place), *map(str, [60 + 130 * (i % 2)] * 3)])
+       for i, place in enumerate(bumps.tolist())),
+     *(f"3 {a} {b} {c}" for a, b, c in triangles_of(ball.data).tolist())]) + "\n", "utf-8")
+session = link.server.open_session(link.server.import_scan(coloured, "coloured"), "coloured")
+settings.session, settings.group, settings.paints, settings.gain = session.name, "top", "texture", 3
+painted = add_twin("painted", 1)
+painted.vertex_groups.new(name="top").add(top.tolist(), 1.0, "REPLACE")
+bpy.ops.burnish.begin()
+bpy.ops.burnish.paint()
+facts["painted gain"] = [entry.summary.split(" in ")[0] for entry in session.history()]
+bpy.ops.burnish.end()
+bpy.context.view_layer.objects.active = ball
+settings.group = "top"
+try:
+    bpy.ops.burnish.paint()
+except RuntimeError as error:
+    facts["gain without colours"] = str(error)
 exact = link.session.mesh(exact=True).vertices
 bpy.ops.burnish.finish()
 facts["exact"] = float(np.abs(shown() - exact).max())

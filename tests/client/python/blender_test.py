@@ -78,6 +78,8 @@ class Blender(unittest.TestCase):
         inside, outside = facts["group"]
         self.assertGreater(inside, 5 * outside)
         self.assertIn("'none' is not a vertex group", facts["wrong group"])
+        self.assertEqual(facts["painted gain"], ["texture gain"])
+        self.assertIn("no colours", facts["gain without colours"])
         self.assertLess(facts["exact"], 1e-6)
         self.assertTrue(facts["basis stays"])
         self.assertEqual(facts["links"], 0)

@@ -161,6 +161,15 @@ class LiveSessions(Sdk):
         with self.assertRaisesRegex(ValueError, r"strength has 1\.5: .*0 to 1"):
             live.cell_edges(1.5)
 
+    def test_weights_of_vertices_paint_the_texture_gain_of_a_scan_with_colours(self):
+        live = self.join(self.open(), vertices=self.mesh.vertices)
+        edit = live.cell_texture(np.where(self.mesh.vertices[:, 2] > 0, 3, np.nan))
+        self.assertTrue((np.asarray(edit.gain) == 3).all())
+        with self.assertRefused(burnish.FailedPrecondition, "no colours"):
+            live.apply(edit)
+        with self.assertRaisesRegex(ValueError, r"gain has 4\.5: .*0 to 4"):
+            live.cell_texture(4.5)
+
     def test_weights_of_vertices_protect_and_release(self):
         session = self.open()
         vertices = self.mesh.vertices

@@ -41,7 +41,7 @@ TEST(CellFields, AreRefusedByTheirNumberInTheList) {
   EXPECT_THAT(refusal(1, 1001, 1).message(), AllOf(HasSubstr("cell field 2"), HasSubstr("1000")));
 }
 
-TEST(CellFields, OfKeptEdgesAndProtectionHaveTheirOwnLimits) {
+TEST(CellFields, OfPaintAndProtectionHaveTheirOwnLimits) {
   const auto refusal = [](double value, CellTarget target) {
     return check(SetCellFields{{{{0, 0, 0}, 0, 0, value}}, target});
   };
@@ -49,6 +49,9 @@ TEST(CellFields, OfKeptEdgesAndProtectionHaveTheirOwnLimits) {
   EXPECT_THAT(refusal(1.5, CellTarget::kEdges).message(),
               AllOf(HasSubstr("cell field 1"), HasSubstr("strength 1.5"), HasSubstr("0..1")));
   EXPECT_FALSE(refusal(NAN, CellTarget::kEdges).is_ok());
+  EXPECT_TRUE(refusal(4, CellTarget::kTexture).is_ok());
+  EXPECT_THAT(refusal(4.5, CellTarget::kTexture).message(),
+              AllOf(HasSubstr("texture gain 4.5"), HasSubstr("0..4")));
   EXPECT_TRUE(refusal(0, CellTarget::kProtection).is_ok());
   EXPECT_TRUE(refusal(1, CellTarget::kProtection).is_ok());
   EXPECT_THAT(refusal(0.5, CellTarget::kProtection).message(), HasSubstr("protection 0.5"));
@@ -68,6 +71,7 @@ TEST(Edit, SaysWhatItDoesInAFewWords) {
   EXPECT_EQ(said(SetCellFields{{{{0, 0, 0}, 0, 0, 1}}, CellTarget::kEdges}),
             "edges kept in 1 cell");
   EXPECT_EQ(said(SetCellFields{{}, CellTarget::kProtection}), "protection of 0 cells");
+  EXPECT_EQ(said(SetCellFields{{}, CellTarget::kTexture}), "texture gain in 0 cells");
   EXPECT_EQ(said(SwitchEntry{3, false}), "switch off 3");
   EXPECT_EQ(said(SetControls{}), "rims free");
   EXPECT_EQ(said(SetControls{{true, 0.5, true}}), "rims pinned, at most 0.5, volume kept");

@@ -81,6 +81,7 @@ TEST(EditWire, EveryKindOfChangeComesBackUnchangedFromBytes) {
       {"y", SetTexture{{0, 0.75, 0.5}}},
       {"z", SetCellFields{{{Vec3i(1, 2, 3), 0, 0, 0.5}}, CellTarget::kEdges}},
       {"0", SetCellFields{{{Vec3i(1, 2, 3), 0, 0, 1}}, CellTarget::kProtection}},
+      {"1", SetCellFields{{{Vec3i(1, 2, 3), 0, 0, 2.5}}, CellTarget::kTexture}},
       {"j", SetControls{{.pin_rims = true, .cap = 0.25, .keep_volume = true}}},
   };
   for (const Edit& edit : edits) {

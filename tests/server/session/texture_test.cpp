@@ -6,6 +6,7 @@
 
 #include "common/evaluation/evaluation.h"
 #include "common/generate/generate.h"
+#include "common/grid/morton.h"
 #include "common/mesh/srgb.h"
 #include "server/session/fit_signal.h"
 #include "tests/server/session/solved_session.h"
@@ -230,11 +231,36 @@ TEST(Texture, PaintCoversTheGainOfTheWholeScan) {
             other.colours);
 }
 
-TEST(Texture, ABrushOfItNeedsColours) {
+/// Sets the gain of all cells.
+SetCellFields texture_cells(const Session& session, double gain) {
+  SetCellFields change{{}, CellTarget::kTexture};
+  for (const uint64_t cell : session.prepared().cells)
+    change.cells.push_back({morton_point(cell), 0, 0, gain});
+  return change;
+}
+
+TEST(Texture, CellsOfItArePaintAsThatOfABrush) {
+  const TriangleMesh sphere = speckled_sphere();
+  const auto session = session_over(sphere, 4), other = session_over(sphere, 4);
+  const TriangleMesh whole = exact_surface(*other, {SetTexture{{2, 0}}});
+  const SetCellFields cells = texture_cells(*session, 2);
+  EXPECT_EQ(exact_surface(*session, {cells}).colours, whole.colours);
+  const TriangleMesh under = exact_surface(*session, {texture_stroke(1)});
+  EXPECT_EQ(exact_surface(*other, {texture_stroke(1)}).colours, under.colours);
+  EXPECT_EQ(exact_surface(*session, {Undo{}}).colours, whole.colours);
+  EXPECT_EQ(exact_surface(*session, {Undo{}}).colours, sphere.colours);
+  const TriangleMesh over = exact_surface(*session, {texture_stroke(1), cells});
+  EXPECT_EQ(over.colours, whole.colours);
+}
+
+TEST(Texture, PaintOfItNeedsColours) {
   const auto session = session_over(make_icosphere(3, 1));
-  const Status refused = session->edited().check_new({"t", texture_stroke(2)});
-  EXPECT_EQ(refused.code(), StatusCode::kFailedPrecondition);
-  EXPECT_THAT(refused.message(), HasSubstr("no colours"));
+  const EditedFields& edited = session->edited();
+  for (const Change& change : {Change(texture_stroke(2)), Change(texture_cells(*session, 2))}) {
+    const Status refused = edited.check_new({"t", change});
+    EXPECT_EQ(refused.code(), StatusCode::kFailedPrecondition);
+    EXPECT_THAT(refused.message(), HasSubstr("no colours"));
+  }
 }
 
 TEST(Texture, ABrushPaintsNoMoreThanTheSlider) {
