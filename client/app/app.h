@@ -85,6 +85,7 @@ class App {
   void draw_session_page();
   void draw_columns(float top, float left, float right);
   void draw_sides() const;
+  void draw_trial() const;
   void draw_lasso() const;
   void draw_overlays();
 

@@ -25,13 +25,17 @@ static constexpr std::chrono::milliseconds kRest{100};
 
 Status App::draw() {
   const ImageSize size = window_->framebuffer_size();
-  if (size.width < kImageSidePixelsMin || size.height < kImageSidePixelsMin) return Status::ok();
+  if (size.width < kImageSidePixelsMin || size.height < kImageSidePixelsMin) {
+    workspace_->strip.close(workspace_->document());  // a window that is put away has no pictures
+    return Status::ok();
+  }
   window_->begin_frame();
   close_lists_at_escape();
   draw_panels();
   const auto now = std::chrono::steady_clock::now();
   const bool is_new = shows_surface() && !(is_idle_ && is_surface_at_rest());
   const Status drawn = is_new ? update_surface(now) : Status::ok();
+  if (shows_surface() && is_surface_at_rest()) workspace_->keep_strength_picture();
   if (shows_surface()) save_picture_at_rest(now);
   const bool has_new_panels = window_->end_frame();
   if (std::exchange(is_surface_new_, false) || has_new_panels) show_picture();
@@ -108,6 +112,19 @@ bool App::is_surface_at_rest() const {
 bool App::keeps_raw_picture() const {
   return shown_.is_raw && picture_.size == shown_.size &&
          workspace_->keeps_raw_picture(shown_.camera);
+}
+
+// Says that the picture is not of the session's values.
+void App::draw_trial() const {
+  const std::string text = workspace_->strip.trial_text();
+  if (text.empty()) return;
+  const ImVec2 pixels = ImGui::GetIO().DisplayFramebufferScale;
+  const float x = static_cast<float>(picture_.x) + static_cast<float>(picture_.size.width) / 2;
+  const float top = static_cast<float>(picture_.y) / pixels.y + em(0.6f);
+  const float width = ImGui::CalcTextSize(text.c_str()).x;
+  ImGui::GetBackgroundDrawList()->AddText({x / pixels.x - width / 2, top},
+                                          ImGui::ColorConvertFloat4ToU32(theme::kOnPicture),
+                                          text.c_str());
 }
 
 // Says which surface is the original one, and draws the line between both.
@@ -239,7 +256,8 @@ void App::draw_columns(float top, float left, float right) {
     if (right > 0) ImGui::End();
     return;
   }
-  draw_section("Filter", filter_panel_, *workspace_);
+  const bool shows_filter = draw_section("Filter", filter_panel_, *workspace_);
+  if (!shows_filter) workspace_->strip.close(workspace_->document());
   draw_section("Transfer curve α(κ)", curve_panel_, *workspace_);
   draw_section("Brush", brush_panel_, *workspace_);
   const bool shows_region = draw_section("Limits", limits_panel_, *workspace_);
@@ -268,6 +286,7 @@ void App::draw_columns(float top, float left, float right) {
 
 void App::draw_overlays() {
   draw_sides();
+  draw_trial();
   draw_lasso();
   toasts_.draw(*workspace_);
   if (shows_log_) draw_message_log(workspace_->log, shows_log_);

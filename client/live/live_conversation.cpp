@@ -92,6 +92,7 @@ LiveNews LiveConversation::take(bool draws) {
   news.stats.megabits_per_second = rate_.megabits_per_second(now);
   news.pages_refused = news_.pages_refused;
   news.unacknowledged = outbox_.unacknowledged();
+  news.shows_previews = outbox_.has_said_previews() && shown_.shows_previews();
   news.events.swap(news_.events);
   news.frame = news_.frame;
   return news;

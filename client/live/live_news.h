@@ -70,6 +70,8 @@ struct LiveNews {
   size_t unacknowledged = 0;      ///< edits
   /// How often the server ended the stream because it had no memory for the shown pages.
   uint64_t pages_refused = 0;
+  /// The newest frame has seen all previews of this link, and the ends of those that were dropped.
+  bool shows_previews = true;
 };
 
 }  // namespace burnish

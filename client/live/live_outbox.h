@@ -51,6 +51,10 @@ class LiveOutbox {
 
   size_t unacknowledged() const;  ///< edits
 
+  /// Returns whether the preview and the ends of earlier ones have been said.
+  bool has_said_previews() const {
+    return dropped_preview_.empty() && (!gesture_ || gesture_->sent);
+  }
   uint64_t previews_sent() const { return previews_sent_; }  ///< on this stream
   Time preview_since() const { return preview_since_; }      ///< of the newest part
 

@@ -28,6 +28,9 @@ class ShownEdits {
   /// A new stream: previews are counted anew.
   void restart() { previews_.clear(); }
 
+  /// Returns whether a frame has seen every preview of this stream that has been sent.
+  bool shows_previews() const { return previews_.empty(); }
+
   /// Edits whose first frame has come since the last call.
   std::vector<EditsShown> take_edits();
   /// Milliseconds that previews took, since the last call.

@@ -23,7 +23,9 @@ class FrontService : public testing::Test {
   using Json = nlohmann::json;
   using milliseconds = std::chrono::milliseconds;
 
-  FrontService() {
+  explicit FrontService(
+      std::unique_ptr<PageRenderer> renderer = std::make_unique<NullPageRenderer>())
+      : renderer_(std::move(renderer)) {
     EXPECT_TRUE(owner_.import_scan(write_sphere(server_.folder, 4), "ball", {5, 0}, {}).is_ok());
     EXPECT_TRUE(owner_.open_session({"ball", "work", {5, 0}}).is_ok());
   }
@@ -52,6 +54,7 @@ class FrontService : public testing::Test {
     if (message["kind"] == "snapshot") snapshot_ = message["snapshot"];
     if (message["kind"] == "answer") answers_.push_back(message["message"]);
     if (message["kind"] == "drawn") drawn_ = message["count"];
+    if (message["kind"] == "strength") strengths_[message["number"]] = message["address"];
   }
 
   void hear(const Json& message) { front_.hear(message.dump()); }
@@ -113,16 +116,17 @@ class FrontService : public testing::Test {
 
   ServerProcess server_;
   Connection owner_ = Connection::open(server_.address, kPatience).value();
-  NullPageRenderer renderer_;
+  std::unique_ptr<PageRenderer> renderer_;
   Json snapshot_;
   std::vector<std::string> answers_;
   int drawn_ = 0;
   bool is_drawing_ = false;
   std::map<std::string, std::string> given_;
   std::map<std::string, std::string> downloads_;
+  std::map<uint64_t, std::string> strengths_;  // addresses of small pictures, by number
   std::function<void()> work_;
   std::function<void()> meanwhile_;  // what happens while a script waits
-  Front front_{renderer_, Preferences(), WorkspaceOptions{}, host()};
+  Front front_{*renderer_, Preferences(), WorkspaceOptions{}, host()};
 };
 
 }  // namespace burnish

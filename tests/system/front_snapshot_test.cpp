@@ -37,6 +37,9 @@ TEST_F(SnapshotOfThePage, HasTheTypesThatThePageReads) {
                            "figures on", "tool measure"})
     line(text);
   ASSERT_TRUE(until([this] { return is_settled() && document()["history"].size() > 3; }));
+  line("strengths open");
+  ASSERT_TRUE(until([this] { return snapshot_["strengths"].is_object(); }));
+  EXPECT_EQ(complaints(), "") << "with pictures of strengths";
   set_ruler(180);
   set_ruler(220);
   ASSERT_TRUE(until([this] { return document()["numbers"]["rulerPoints"] == 2; }));

@@ -20,7 +20,9 @@ static bool draw_choice(const Preset& preset, const Document& document) {
   return is_chosen;
 }
 
-void FilterPanel::draw_presets(Document& document, MessageLog& log) {
+void FilterPanel::draw_presets(Workspace& workspace) {
+  Document& document = *workspace.document();
+  MessageLog& log = workspace.log;
   ImGui::SetNextItemWidth(-1);
   const auto shown = document.preset_in_force(own_);
   const std::string title = shown ? shown->preset.name : "Presets";
@@ -36,10 +38,11 @@ void FilterPanel::draw_presets(Document& document, MessageLog& log) {
     draw_own(document, log);
     ImGui::EndCombo();
   }
-  if (shown) draw_strength(document, *shown, log);
+  if (shown) draw_strength(workspace, *shown);
 }
 
-void FilterPanel::draw_strength(Document& document, const PresetInForce& shown, MessageLog& log) {
+void FilterPanel::draw_strength(Workspace& workspace, const PresetInForce& shown) {
+  Document& document = *workspace.document();
   if (shown.preset.beta == 1 && shown.preset.bands.empty()) return;
   double strength = shown.strength;
   ImGui::TextUnformatted("Strength");
@@ -47,10 +50,10 @@ void FilterPanel::draw_strength(Document& document, const PresetInForce& shown, 
   faint_text("%s of the preset", std::string(strength_word(strength)).c_str());
   hint((effect_of(shown.preset, document.lengths()) + ", at full strength.").c_str());
   const SliderChange change =
-      linear_slider({{"Strength of the preset", 0, 1}, "%.2f", log}, strength);
-  if (change == SliderChange::kStill) return;
-  document.preview_strength(shown.preset, strength);
+      linear_slider({{"Strength of the preset", 0, 1}, "%.2f", workspace.log}, strength);
+  if (change != SliderChange::kStill) document.preview_strength(shown.preset, strength);
   if (change == SliderChange::kDone) document.commit_strength(shown.preset);
+  pictures_.draw(workspace, shown);
 }
 
 void FilterPanel::draw_own(const Document& document, MessageLog& log) {
@@ -133,7 +136,7 @@ static void draw_fidelity(Document& document, MessageLog& log) {
 void FilterPanel::draw(Workspace& workspace) {
   Document& document = *workspace.document();
   ImGui::BeginDisabled(document.is_viewer());
-  draw_presets(document, workspace.log);
+  draw_presets(workspace);
   draw_beta(document, workspace.log);
   draw_fidelity(document, workspace.log);
   ImGui::EndDisabled();

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "client/app/panels/strength_pictures.h"
 #include "client/app/widgets/panel.h"
 #include "client/tools/presets.h"
 
@@ -15,14 +15,15 @@ class FilterPanel : public Panel {
   void draw(Workspace& workspace) override;
 
  private:
-  void draw_presets(Document& document, MessageLog& log);
-  void draw_strength(Document& document, const PresetInForce& shown, MessageLog& log);
+  void draw_presets(Workspace& workspace);
+  void draw_strength(Workspace& workspace, const PresetInForce& shown);
   void draw_delete(const Document& document, MessageLog& log);
   void draw_own(const Document& document, MessageLog& log);
   void read_own(MessageLog& log);
 
   std::vector<Preset> own_;  // read when the list opens
   std::string own_name_;     // for the filter as it is
+  StrengthPictures pictures_;
 };
 
 /// The transfer curve over the histogram of curvature.

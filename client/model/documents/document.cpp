@@ -76,6 +76,7 @@ void Document::send_as(const std::string& id, Change change) {
 
 // The server applies all of a message or none.
 void Document::send_together(const std::vector<Edit>& edits) {
+  end_trial();
   for (const Edit& edit : edits) {
     if (std::holds_alternative<SetEdges>(edit.change)) waits_for_noise_ = false;
     settings_.take(edit.change);
@@ -99,6 +100,7 @@ void Document::count_step(const Change& change) {
 }
 
 void Document::preview(Change change) {
+  end_trial();
   settings_.take(change);
   auto shown = preview_of(std::move(change));
   if (!shown) return;
@@ -148,6 +150,7 @@ void Document::begin_stroke(BrushMode mode, const Vec3d& point, double pressure)
 }
 
 void Document::show_begun_stroke() {
+  end_trial();
   gesture_ = random_id();
   last_dab_ = brush_.stroke().path.front();
   tint_dab(brush_.stroke().brush, last_dab_);
@@ -252,9 +255,10 @@ void Document::name_unit(const std::string& unit) {
 }
 
 bool Document::is_settled() const {
-  return link_ == LinkState::kLive && unacknowledged_ == 0 && gesture_.empty() &&
-         stats_.frames > 0 && stats_.frame.settled && stats_.frame.edits >= edits_known_ &&
-         told_.edits >= edits_known_ && !history_fetch_->running;
+  return link_ == LinkState::kLive && unacknowledged_ == 0 && gesture_.empty() && trial_.empty() &&
+         !is_trial_leaving_ && stats_.frames > 0 && stats_.frame.settled &&
+         stats_.frame.edits >= edits_known_ && told_.edits >= edits_known_ &&
+         !history_fetch_->running;
 }
 
 bool Document::is_picture_settled() const {
@@ -336,6 +340,7 @@ bool Document::keeps_edges_by_noise() const {
 
 void Document::preview_strength(const Preset& preset, double strength) {
   PresetFilter passed = filter_of(preset, strength, lengths());
+  last_preset_ = preset;
   if (preset.bands.empty()) return preview_beta(passed.beta);
   preview(SetEqualiser{std::move(passed.equaliser)});
 }
@@ -343,6 +348,30 @@ void Document::preview_strength(const Preset& preset, double strength) {
 void Document::commit_strength(const Preset& preset) {
   if (preset.bands.empty()) return commit_beta();
   commit(SetEqualiser{equaliser()});
+}
+
+// A preview has one change.
+bool Document::has_trial(const Preset& preset) {
+  return preset.bands.empty() ? preset.beta != 1 : preset.beta == 1;
+}
+
+void Document::try_strength(const Preset& preset, double strength) {
+  PresetFilter tried = filter_of(preset, strength, lengths());
+  if (trial_.empty()) trial_ = random_id();
+  shows_previews_ = false;
+  preset.bands.empty() ? live_->preview(trial_, SetGradientScale{tried.beta})
+                       : live_->preview(trial_, SetEqualiser{std::move(tried.equaliser)});
+}
+
+void Document::end_trial() {
+  if (trial_.empty()) return;
+  live_->drop_preview(std::exchange(trial_, {}));
+  shows_previews_ = false;
+  is_trial_leaving_ = true;
+}
+
+bool Document::shows_trial() const {
+  return is_trying() && link_ == LinkState::kLive && shows_previews_ && stats_.frame.settled;
 }
 
 std::optional<PresetInForce> Document::preset_in_force(const std::vector<Preset>& own) const {

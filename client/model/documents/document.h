@@ -113,6 +113,15 @@ class Document {
   /// During a drag of the strength of the preset in force, preview; at its end, commit.
   void preview_strength(const Preset& preset, double strength);
   void commit_strength(const Preset& preset);
+  /// Returns whether try_strength() shows all that a strength of this preset changes.
+  static bool has_trial(const Preset& preset);
+  /// Shows everybody what this strength of the preset in force would be, until end_trial() or until
+  /// the user does something. The values stay. Needs: has_trial().
+  void try_strength(const Preset& preset, double strength);
+  void end_trial();
+  bool is_trying() const { return !trial_.empty(); }
+  /// Returns whether the newest frame shows the strength that is tried, and has settled.
+  bool shows_trial() const;
   /// Returns the preset that the session's values are of: the one that was applied here last, or
   /// one of these or of presets() at full strength.
   std::optional<PresetInForce> preset_in_force(const std::vector<Preset>& own) const;
@@ -206,6 +215,7 @@ class Document {
   const std::string& link_reason() const { return link_reason_; }
   /// Returns whether the link was lost because another server has the session, and goes on there.
   bool is_moving() const { return is_moving_; }
+  uint64_t edits_known() const { return edits_known_; }  ///< of the session, on disk
   size_t unacknowledged() const { return unacknowledged_; }
   double shown_after_ms() const { return shown_after_ms_; }  ///< delay of our last edit; 0: none
   const ProgressReport& progress() const { return progress_; }
@@ -280,7 +290,10 @@ class Document {
   std::optional<RimCount> rims_;  // absent until a state with pinned rims has come
   BrushTool brush_;
   Vec3d last_dab_ = Vec3d::Zero();
-  std::string gesture_;  // id of the edit of the running drag or stroke; else empty
+  std::string gesture_;            // id of the edit of the running drag or stroke; else empty
+  std::string trial_;              // id of the preview of try_strength(); else empty
+  bool is_trial_leaving_ = false;  // frames may still show it
+  bool shows_previews_ = true;     // as LiveNews has it, and nothing was previewed since
   UndoSteps undo_steps_;
   bool goes_on_ = false;             // the stroke continues the last step's gesture
   std::vector<std::string> tinted_;  // strokes that no frame shows yet

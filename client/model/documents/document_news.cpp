@@ -20,6 +20,8 @@ void Document::update(bool draws) {
   link_ = news.link;
   stats_ = news.stats;
   unacknowledged_ = news.unacknowledged;
+  shows_previews_ = news.shows_previews;
+  is_trial_leaving_ &= !shows_previews_ && link_ == LinkState::kLive;
   surface_->take(news);
   if (!draws) surface_->take_arrivals();
   for (const LiveEvent& event : news.events) handle(event);
@@ -107,6 +109,7 @@ void Document::handle(const LiveEvent& event) {
                    log_.failure("edit refused", without_ids(refused));
                    is_told_taken_ = false;  // the session's values are not those sent
                    undo_steps_.clear();     // it counts edits that the server does not have
+                   end_trial();
                    forget_strokes();
                  },
                  [&](const EditsShown& shown) {

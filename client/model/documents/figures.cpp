@@ -18,6 +18,7 @@ __attribute__((format(printf, 1, 2))) static std::string printed(const char* for
 
 const char* state_word(const Document& document) {
   if (document.stats().frames == 0) return "waiting for the first frame";
+  if (document.is_trying()) return "trying a strength";
   if (!document.stats().frame.settled) return "converging";
   if (!document.is_settled()) return "saving";
   return document.stats().frame.exact ? "exact" : "settled";

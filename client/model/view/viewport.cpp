@@ -346,6 +346,7 @@ DrawStyle Viewport::style(const Document& document) const {
   const auto curve = static_cast<size_t>(brush.brush.curve);
   if (curve > 0 && curve <= document.palette().curves.size())
     style.tint = colour_of_hex(document.palette().curves[curve - 1].colour);
+  if (hides_rings) return style;
   if (hover_ && pointer_ && !navigate_mode && !measure_mode && !document.is_viewer()) {
     const Vec3d& at = hover_->original;
     style.rings.push_back({at, brush.brush.radius, Vec3f(1, 1, 1)});

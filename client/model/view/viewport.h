@@ -48,6 +48,7 @@ class Viewport {
   ViewOptions options;
   bool navigate_mode = false;  ///< the left button turns the view
   bool hold_original = false;  ///< show the original
+  bool hides_rings = false;    ///< a picture of the surface alone is wanted
   bool measure_mode = false;   ///< the left button puts the ruler's ends
   double pressure = 1;         ///< of the pen that draws, 0 to 1; 1: a mouse
   std::optional<LassoWish> lasso_wish;

@@ -22,6 +22,7 @@ void Workspace::update(bool draws) {
   if (!document_) return;
   document_->update(draws);
   viewport.update(*document_);
+  strip.follow(*document_, viewport);
 }
 
 void Workspace::on_picture(double ms, std::optional<double> surface_ms) {

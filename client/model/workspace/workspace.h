@@ -17,6 +17,7 @@
 #include "client/model/view/raw_scan.h"
 #include "client/model/view/view_state.h"
 #include "client/model/view/viewport.h"
+#include "client/model/workspace/strength_strip.h"
 
 namespace burnish {
 
@@ -73,6 +74,7 @@ class Workspace {
   MessageLog log;
   Recorder recorder;
   Viewport viewport;
+  StrengthStrip strip;   ///< of the open session
   bool has_pen = false;  ///< a pen has drawn in this window
 
   /// Handles all news since the last picture.
@@ -152,6 +154,9 @@ class Workspace {
   void record_picture(const std::filesystem::path& file);
   /// Keeps a small picture of the open session, as it was drawn last.
   void keep_session_picture();
+  /// Keeps the picture that was drawn last, if `strip` waits for it. Needs: it is at rest. Returns
+  /// the small picture; null: none is waited for.
+  const StrengthStrip::Picture* keep_strength_picture();
   /// Returns the folder of the sessions' pictures; empty: none are kept.
   std::filesystem::path picture_folder() const;
 

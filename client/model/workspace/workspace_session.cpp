@@ -186,6 +186,7 @@ std::filesystem::path Workspace::picture_folder() const {
 
 void Workspace::keep_session_picture() {
   if (!document_ || !is_drawn_ || picture_folder().empty() || preferences.recent.empty()) return;
+  if (document_->is_trying()) return;  // the picture is not of the session's values
   const auto image = renderer_.read_pixels();
   if (!image.is_ok()) return;
   const Status kept =
@@ -193,8 +194,18 @@ void Workspace::keep_session_picture() {
   if (!kept.is_ok()) log.failure("picture of the session", kept);
 }
 
+const StrengthStrip::Picture* Workspace::keep_strength_picture() {
+  if (!document_ || !is_drawn_ || !strip.wants_picture(*document_)) return nullptr;
+  const auto image = renderer_.read_pixels();
+  if (image.is_ok()) return &strip.take(*image, *document_);
+  log.failure("picture of a strength", image.status());
+  strip.close(document_.get());
+  return nullptr;
+}
+
 void Workspace::leave_document() {
   keep_session_picture();
+  strip.close(document_.get());
   is_drawn_ = false;
   save_preferences();
   if (unsaved_edits() > 0)

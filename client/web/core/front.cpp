@@ -6,6 +6,7 @@
 #include "client/script/script_runner.h"
 #include "client/web/core/front_commands.h"
 #include "client/web/core/json_writer.h"
+#include "client/web/core/picture_address.h"
 #include "client/web/core/snapshot.h"
 #include "client/web/core/stored_png.h"
 
@@ -69,6 +70,7 @@ Front::Time Front::tick(Time now) {
   const std::string failure = drawn.is_ok() ? "" : drawn.message();
   if (std::exchange(failure_, failure) != failure && !drawn.is_ok())
     workspace_.log.failure("picture", drawn);
+  say_strength_picture();
   keep_picture_now_and_then(now);
   const Time snapshot_at = std::min(say_snapshot(now), begun_at_ ? now + kDrawing : Time::max());
   if (!document && workspace_.activities().empty()) return snapshot_at;
@@ -153,6 +155,17 @@ void Front::keep_picture_now_and_then(Time now) {
   kept_session_ = document->session().id;
   kept_picture_ = pictures_;
   kept_at_ = now;
+}
+
+void Front::say_strength_picture() {
+  const Document* const document = workspace_.document();
+  if (!document || !document->is_picture_settled() || !(next_shown() == shown_)) return;
+  if (!shown_.is_smooth) return;
+  const StrengthStrip::Picture* const picture = workspace_.keep_strength_picture();
+  if (!picture) return;
+  JsonWriter json;
+  json.open().text("kind", "strength").whole("number", static_cast<int64_t>(picture->number));
+  host_.say(json.text("address", picture_address(picture->image)).close().written());
 }
 
 Front::Time Front::say_snapshot(Time now) {

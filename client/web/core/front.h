@@ -87,6 +87,8 @@ class Front {
   /// Returns whether a picture is to have smooth edges. They cost time, so they are for rest.
   bool is_at_rest(const Shown& next, Time now) const;
   void keep_picture_now_and_then(Time now);
+  /// Says the small picture of a strength, if one is waited for and the picture is at rest.
+  void say_strength_picture();
   /// Returns when to try again; Time::max(): it was said, or has not changed.
   Time say_snapshot(Time now);
   void answer(const std::string& line, const Status& status);

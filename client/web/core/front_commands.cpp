@@ -30,6 +30,7 @@ static std::optional<Status> do_script_line(const FrontWords& line, Workspace& w
 
 static Status do_document_line(const FrontWords& line, FrontParts& parts) {
   if (auto done = do_file_line(line, parts)) return *done;
+  if (auto done = do_strength_line(line, parts)) return *done;
   Document* const document = parts.workspace.document();
   if (!document) return failed_precondition("no session is open");
   if (auto done = do_preview(line, *document)) return *done;

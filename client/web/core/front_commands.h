@@ -30,6 +30,7 @@ std::optional<Status> do_library_line(const FrontWords& line, FrontParts& parts)
 std::optional<Status> do_preview(const FrontWords& line, Document& document);
 std::optional<Status> do_panel_line(const FrontWords& line, Workspace& workspace);
 std::optional<Status> do_plot(const FrontWords& line, Document& document);
+std::optional<Status> do_strength_line(const FrontWords& line, FrontParts& parts);
 std::optional<Status> do_tool_line(const FrontWords& line, FrontParts& parts);
 std::optional<Status> do_view_line(const FrontWords& line, FrontParts& parts);
 std::optional<Status> do_file_line(const FrontWords& line, FrontParts& parts);

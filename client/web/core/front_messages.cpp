@@ -100,10 +100,14 @@ void Front::hear(std::string_view json) {
   if (kind == "command") do_line(text_in(message, "line"));
   if (kind == "visible") {
     is_visible_ = flag_in(message, "is");
-    if (!is_visible_) workspace_.keep_session_picture();  // the page may be closed now
+    if (!is_visible_) {  // it may be closed now, and has no more pictures
+      workspace_.keep_session_picture();
+      workspace_.strip.close(workspace_.document());
+    }
   }
   if (kind == "lost") {  // another core goes on
     is_visible_ = false;
+    workspace_.strip.close(workspace_.document());
     workspace_.save_preferences();
   }
   if (kind == "resize") shown_ = {};  // a canvas of another size is empty

@@ -96,7 +96,36 @@ Status keep_preset(const FrontWords& line, const Document& document) {
                          own_preset(line.rest(), document.filter(), document.lengths()));
 }
 
+Status open_strip(StrengthStrip& strip, Document& document) {
+  const auto own = read_own_presets(own_presets_path());
+  const auto shown = document.preset_in_force(own.is_ok() ? *own : std::vector<Preset>());
+  return shown ? strip.open(*shown, document) : failed_precondition("no preset is in force");
+}
+
+Status choose_strength(const FrontWords& line, StrengthStrip& strip, Document& document) {
+  RETURN_IF_ERROR(need_words(line, 2));
+  ASSIGN_OR_RETURN(const int number, parse_integer(line.words[1]));
+  return strip.choose(number, document);
+}
+
 }  // namespace
+
+std::optional<Status> do_strength_line(const FrontWords& line, FrontParts& parts) {
+  if (line.command != "strengths") return std::nullopt;
+  const Status has_words = need_words(line, 1);
+  if (!has_words.is_ok()) return has_words;
+  const std::string& what = line.words[0];
+  StrengthStrip& strip = parts.workspace.strip;
+  Document* const document = parts.workspace.document();
+  if (what == "close") {  // the pictures may have gone with their session
+    strip.close(document);
+    return Status::ok();
+  }
+  if (!document) return failed_precondition("no session is open");
+  if (what == "open") return open_strip(strip, *document);
+  if (what == "choose") return choose_strength(line, strip, *document);
+  return invalid_argument("'" + what + "' is not open, close or choose");
+}
 
 std::optional<Status> do_tool_line(const FrontWords& line, FrontParts& parts) {
   Workspace& workspace = parts.workspace;

@@ -110,6 +110,20 @@ void write_presets(const Document* document, JsonWriter& json) {
   shown ? write_preset_in_force(*shown, json) : void(json.null());
 }
 
+void write_strengths(const StrengthStrip& strip, JsonWriter& json) {
+  json.key("strengths");
+  if (!strip.is_open()) return void(json.null());
+  json.open().text("preset", strip.preset()).text("trial", strip.trial_text());
+  json.key("pictures").open_list();
+  for (const StrengthStrip::Picture& picture : strip.pictures())
+    json.open()
+        .number("strength", picture.strength)
+        .text("word", std::string(strength_word(picture.strength)))
+        .whole("number", static_cast<int64_t>(picture.number))
+        .close();
+  json.close_list().close();
+}
+
 }  // namespace
 
 std::string snapshot_of(Workspace& workspace, FrontState& state) {
@@ -119,6 +133,7 @@ std::string snapshot_of(Workspace& workspace, FrontState& state) {
   write_activities(workspace, state, json);
   write_messages(workspace.log, state, json);
   write_presets(workspace.document(), json);
+  write_strengths(workspace.strip, json);
   json.flag("recording", state.script.has_value());
   json.text("opening", workspace.raw() ? workspace.raw()->name : "");
   json.key("document");

@@ -326,6 +326,28 @@ TEST_F(Conversations, OnlyAPictureAsksForAnotherFrame) {
   EXPECT_EQ(credits(), 1u);
 }
 
+TEST_F(Conversations, NewsSayWhetherAFrameHasSeenAllPreviewsAndTheirEnds) {
+  const auto frame_after = [this](uint64_t previews) {
+    LiveFrame frame;
+    frame.stats.previews = previews;
+    hear(frame);
+    return talk_.take().shows_previews;
+  };
+  talk_.begin();
+  hear(welcome());
+  EXPECT_TRUE(talk_.take().shows_previews) << "there is none";
+  talk_.preview("one", SetGradientScale{0.5});
+  EXPECT_FALSE(talk_.take().shows_previews) << "it is not said";
+  say();
+  EXPECT_FALSE(frame_after(0)) << "the frame is older";
+  EXPECT_TRUE(frame_after(1));
+  talk_.drop_preview("one");
+  EXPECT_FALSE(talk_.take().shows_previews);
+  say();
+  EXPECT_FALSE(frame_after(1)) << "the frame still has it";
+  EXPECT_TRUE(frame_after(2));
+}
+
 TEST_F(Conversations, MessagesThatReplaceEachOtherAreToldOnce) {
   talk_.begin();
   hear(welcome());

@@ -134,6 +134,62 @@ test("PresetsHaveAStrength", () =>
     await visit.sent("preset Sharpen all 0.5");
   }));
 
+/** Pictures of strengths, of which these numbers are there. */
+const strengths = (numbers: [number, number, number], trial = "") => ({
+  preset: "Sharpen all",
+  trial,
+  pictures: [0.33, 0.67, 1].map((strength, i) => ({ strength, word: ["a little", "most", "all"][i]!, number: numbers[i]! })),
+});
+
+const kAllOfSharpen = { preset: { name: "Sharpen all", strength: 1, word: "all" } };
+const kRedDot =
+  "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8BQDwAEhQGAhKmMIQAAAABJRU5ErkJggg==";
+
+test("StrengthIsChosenByItsPicture", () =>
+  bench.visitSession(async (visit) => {
+    const { page } = visit;
+    await visit.change(kAllOfSharpen);
+    const button = page.getByRole("button", { name: "Compare strengths" });
+    await button.focus();
+    await page.keyboard.press("Enter");
+    await visit.sent("strengths open");
+    for (const number of [1, 2, 3]) await visit.order({ post: { kind: "strength", number, address: kRedDot } });
+    await visit.change({ strengths: strengths([0, 2, 3], "trying strength 0.33") });
+    const panel = page.getByRole("group", { name: "Pictures of strengths" });
+    await page.locator(".over").getByText("trying strength 0.33").waitFor();
+    assert.equal(await panel.getByRole("button", { name: "Strength 0.33, a little of the preset" }).getAttribute("aria-busy"), "true");
+    await visit.change({ strengths: strengths([1, 2, 3]) });
+    await panel.locator("img").nth(2).waitFor();
+    const pressed = panel.getByRole("button", { pressed: true });
+    assert.equal(await pressed.getAttribute("aria-label"), "Strength 1.00, all of the preset");
+    await visit.screenshot("strengths");
+    await page.keyboard.press("Tab"); // the button kept the focus
+    await page.keyboard.press("Tab");
+    await page.keyboard.press("Enter");
+    await visit.sent("strengths choose 1");
+    await page.getByRole("button", { name: "Close the pictures" }).click();
+    await visit.sent("strengths close");
+  }));
+
+test("PicturesOfStrengthsEndWithTheirPanel", () =>
+  bench.visitSession(async (visit) => {
+    await visit.change({ ...kAllOfSharpen, strengths: strengths([0, 0, 0]) });
+    const panel = visit.page.getByRole("group", { name: "Pictures of strengths" });
+    await panel.waitFor();
+    await visit.page.getByRole("button", { name: "Filter", exact: true }).click();
+    await visit.sent("strengths close");
+    await panel.waitFor({ state: "detached" });
+  }));
+
+test("ViewersHaveNoPicturesOfStrengths", () =>
+  bench.visitSession(async (visit) => {
+    await visit.change(kAllOfSharpen);
+    const button = visit.page.getByRole("button", { name: "Compare strengths" });
+    await button.waitFor();
+    await visit.document({ role: "viewer" });
+    await button.waitFor({ state: "detached" });
+  }));
+
 test("PresetBoxSaysWhatTheSessionHas", () =>
   bench.visitSession(async (visit) => {
     const box = visit.page.getByRole("combobox", { name: "Presets" });

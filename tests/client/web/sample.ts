@@ -248,6 +248,7 @@ export const snapshot: Snapshot = {
     { name: "Sharpen all", description: "Enhances detail everywhere", changes: true, own: false },
   ],
   preset: null,
+  strengths: null,
   recording: false,
   opening: "",
   document: null,

@@ -29,12 +29,12 @@ export function useIsWide(): boolean {
 }
 
 export function EditColumn(props: PresetProps & { children?: preact.ComponentChildren }) {
-  const { document, presets, preset } = props;
+  const { document, presets, preset, strengths } = props;
   return (
     <aside class="column left" aria-label="Edit">
       <Gradual>
         <Section name="Filter">
-          <FilterPanel {...{ document, presets, preset }} />
+          <FilterPanel {...{ document, presets, preset, strengths }} />
         </Section>
         <Section name="Transfer curve α(κ)">
           <CurvePanel document={document} />

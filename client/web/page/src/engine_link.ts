@@ -27,6 +27,7 @@ export interface PageState {
 const kRefusalsMax = 5;
 const kNoEngine =
   "The engine did not load: the web server does not send assets/engine.js, or does not send it as JavaScript.";
+const kStrengthsMax = 3; // pictures of a strip
 const kUser = "burnish.user";
 const kToken = "burnish.token";
 const kKept = "burnish.kept.";
@@ -45,6 +46,8 @@ export interface EngineParts {
 export class EngineLink {
   state: PageState = { snapshot: null, refusals: [], stopped: "", starts: 0 };
   onchange: () => void = () => {};
+  /** Addresses of the last small pictures of strengths, by number. */
+  private readonly strengths = new Map<number, string>();
   private port: EnginePort | null = null;
   private refused = 0;
   private losses = 0;
@@ -151,6 +154,7 @@ export class EngineLink {
     if (message.kind === "answer") this.refuse(message.message);
     if (message.kind === "download") download(message.name, message.blob);
     if (message.kind === "keep") this.keep(message.key, message.text);
+    if (message.kind === "strength") this.keepStrength(message.number, message.address);
     if (message.kind === "stopped") this.stop(message.message);
     if (message.kind === "noCard") this.leaveCard();
     if (message.kind === "lost") this.lose();
@@ -159,6 +163,18 @@ export class EngineLink {
   /** Returns a text that an engine has kept; empty: none. */
   kept(key: string): string {
     return localStorage.getItem(kKept + key) ?? "";
+  }
+
+  /** Returns the address of a small picture of a strength; empty: it is not there. */
+  strengthPicture(number: number): string {
+    return this.strengths.get(number) ?? "";
+  }
+
+  private keepStrength(number: number, address: string): void {
+    this.strengths.set(number, address);
+    const oldest = [...this.strengths.keys()].slice(0, -kStrengthsMax);
+    for (const one of oldest) this.strengths.delete(one);
+    this.change({});
   }
 
   private keep(key: string, text: string): void {

@@ -4,7 +4,8 @@ import { command } from "./commands";
 import { useLink } from "./context";
 import { Button, Choice, NameField, Title } from "./controls";
 import { Slider, betaScale, betaTone, linear, logarithmic } from "./slider";
-import type { Document, Preset, PresetInForce } from "./snapshot";
+import type { Document, Preset, PresetInForce, Strengths } from "./snapshot";
+import { StrengthPictures } from "./strength_pictures";
 import { fixed, short } from "./words";
 
 const kAlphaMin = 0.01;
@@ -27,6 +28,7 @@ export interface PresetProps extends PanelProps {
   presets: Preset[];
   /** The one in force. */
   preset: PresetInForce | null;
+  strengths: Strengths | null;
 }
 
 export function FilterPanel(props: PresetProps) {
@@ -40,7 +42,7 @@ export function FilterPanel(props: PresetProps) {
   );
 }
 
-function Presets({ document, presets, preset }: PresetProps) {
+function Presets({ document, presets, preset, strengths }: PresetProps) {
   const link = useLink();
   const disabled = isViewer(document);
   const shown = preset && presets.find((one) => one.name === preset.name);
@@ -69,6 +71,7 @@ function Presets({ document, presets, preset }: PresetProps) {
             onMove={(value) => link.send(command.preview(command.preset(preset.name, value)))}
             onDone={(value) => link.send(command.preset(preset.name, value))}
           />
+          {!disabled && <StrengthPictures preset={preset} strengths={strengths} />}
         </>
       )}
     </>

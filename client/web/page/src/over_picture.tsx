@@ -16,7 +16,8 @@ const kSame = 1e-3;
 /** Text of a polyline for pixels of the picture: x, y, x, y, ... */
 const pointsOf = (pixels: number[]) => pixels.map((one) => one / devicePixelRatio).join(" ");
 
-export function OverPicture({ document }: PanelProps) {
+/** `trial`: says that the picture is not of the session's values; empty or absent: it is. */
+export function OverPicture({ document, trial }: PanelProps & { trial?: string }) {
   const { view, over } = document;
   return (
     <div class="over">
@@ -25,6 +26,7 @@ export function OverPicture({ document }: PanelProps) {
       </svg>
       <RulerLine document={document} />
       {view.original && <span class="side whole">original</span>}
+      {trial && <span class="side whole above">{trial}</span>}
       {view.split && !view.original && <SplitLine at={view.splitAt} />}
       {document.lasso !== "off" && document.role !== "viewer" && <LassoPen />}
     </div>

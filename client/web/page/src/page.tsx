@@ -63,14 +63,19 @@ export function Page({ link }: { link: EngineLink }) {
       />
       <div class={hasPicture ? (isWide ? "session wide" : "session") : "no-session"}>
         {document && (
-          <EditColumn document={document} presets={state.snapshot?.presets ?? []} preset={state.snapshot?.preset ?? null}>
+          <EditColumn
+            document={document}
+            presets={state.snapshot?.presets ?? []}
+            preset={state.snapshot?.preset ?? null}
+            strengths={state.snapshot?.strengths ?? null}
+          >
             {!isWide && <ShowSections {...{ document, figures }} />}
           </EditColumn>
         )}
         {opening && <OpeningColumn scan={opening} />}
         <div class="middle" hidden={!hasPicture}>
           <Picture key={state.starts} document={document} opening={opening} />
-          {document && <OverPicture document={document} />}
+          {document && <OverPicture document={document} trial={state.snapshot?.strengths?.trial ?? ""} />}
           {document && <Hud document={document} figures={figures && isWide} />}
           {document?.view && document.scale && <ColourBar scale={document.scale} />}
           {document?.section && <SectionPlot section={document.section} ruler={document.over.rulerLength} />}

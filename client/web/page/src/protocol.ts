@@ -92,5 +92,7 @@ export type ToPage =
   | { kind: "noCard" }
   /** A small text that outlives the page. */
   | { kind: "keep"; key: string; text: string }
+  /** The small picture of a strength, as the address of an image. */
+  | { kind: "strength"; number: number; address: string }
   /** Pictures drawn so far. */
   | { kind: "drawn"; count: number };

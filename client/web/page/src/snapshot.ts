@@ -9,6 +9,8 @@ export interface Snapshot {
   presets: Preset[];
   /** The preset that the open session's values are of; null if they are of none. */
   preset: PresetInForce | null;
+  /** Pictures of strengths to choose from; null: the user has not asked for them. */
+  strengths: Strengths | null;
   /** Commands are being written to a script. */
   recording: boolean;
   /** The scan of which a coarse picture is shown until its session is open. */
@@ -85,6 +87,22 @@ export interface PresetInForce {
   strength: number;
   /** "a little", "half", "most", "all". */
   word: string;
+}
+
+export interface Strengths {
+  /** Name of the preset. */
+  preset: string;
+  /** The picture shows something else than the session's values: "trying strength 0.33". */
+  trial: string;
+  /** Three, by strength. */
+  pictures: StrengthPicture[];
+}
+
+export interface StrengthPicture {
+  strength: number;
+  word: string;
+  /** Number of the `strength` message that has the picture; 0: it is not there yet. */
+  number: number;
 }
 
 export interface CurvePoint {
@@ -277,7 +295,7 @@ export interface Document {
   linkReason: string;
   /** "lost" is short: the session goes on at another server. */
   moving: boolean;
-  /** "converging", "settled", "exact", "saving" or "waiting for the first frame". */
+  /** "converging", "settled", "exact", "saving", "trying a strength" or "waiting for the first frame". */
   state: string;
   settled: boolean;
   unsavedEdits: number;
