@@ -227,8 +227,7 @@ TEST_F(StrengthsOfThePage, AChoiceBeforeAllPicturesAreThereCounts) {
 
 TEST_F(StrengthsOfThePage, APresetThatAnotherUserAppliedStaysInForceAtTheChosenStrength) {
   open_with("Soften 1");
-  const Edit edits[] = {{"one", SetTransferCurve{TransferCurve(50)}},
-                        {"two", SetGradientScale{0}}};
+  const Edit edits[] = {{"one", SetTransferCurve{TransferCurve(50)}}, {"two", SetGradientScale{0}}};
   ASSERT_TRUE(owner_.apply("desk", edits).is_ok());
   ASSERT_TRUE(until([this] { return snapshot_["preset"]["name"] == "Smooth gently"; }));
   line("strengths open");

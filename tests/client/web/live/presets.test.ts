@@ -36,6 +36,26 @@ test("OwnPresetIsThereAfterAReloadAndInAnotherSession", () =>
     await presets(visit).getByRole("option", { name: "faint lines" }).waitFor({ state: "detached" });
   }));
 
+test("StrengthIsChosenByItsPictureOfTheSession", () =>
+  lab.visit(async (visit) => {
+    await visit.openScan("tablet");
+    await presets(visit).selectOption("Soften");
+    await visit.page.getByRole("button", { name: "Compare strengths" }).click();
+    const pictures = visit.page.getByRole("group", { name: "Pictures of strengths" });
+    await pictures.locator("img").nth(2).waitFor();
+    const sources = await pictures.locator("img").evaluateAll((all) => all.map((one) => (one as HTMLImageElement).src));
+    assert.equal(new Set(sources).size, 3);
+    const widths = await pictures.locator("img").evaluateAll((all) => all.map((one) => (one as HTMLImageElement).naturalWidth));
+    assert.deepEqual(widths, [240, 240, 240]);
+    await pictures.getByRole("button", { name: "Strength 0.33, a little of the preset" }).click();
+    const session = await visit.session();
+    await until(
+      () => lab.state(session),
+      ({ beta }) => Math.abs(beta - 2 / 3) < 1e-6,
+    );
+    await pictures.getByRole("button", { name: "Strength 0.33, a little of the preset", pressed: true }).waitFor();
+  }));
+
 test("OwnKeyIsThereAfterAReload", () =>
   lab.visit(async (visit) => {
     await visit.openScan("tablet");
