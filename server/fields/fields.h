@@ -111,6 +111,7 @@ class Fields {
   uint64_t byte_count() const;
 
  private:
+  struct PaintedCurves;
   class CurveBlend;
 
   const PaintLayer* layer(size_t number) const {
@@ -127,7 +128,9 @@ class Fields {
   void mark_held();
   void hold_beta() const;
   void update_blended_own() const;
-  void blend_stretch(size_t stretch, std::vector<OwnFields>& blended) const;
+  std::vector<std::vector<OwnFields>> blend_stretches(const std::vector<size_t>& stretches) const;
+  void blend_stretch(const PaintedCurves& curves, size_t stretch,
+                     std::vector<OwnFields>& blended) const;
   void make_blends_old();
 
   const PreparedMesh& prepared_;  // must outlive the fields
