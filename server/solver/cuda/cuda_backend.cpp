@@ -13,6 +13,7 @@
 #include "server/solver/cuda/assembly/device_target.h"
 #include "server/solver/cuda/assembly/gradient_scale.h"
 #include "server/solver/cuda/assembly/signal.h"
+#include "server/solver/cuda/assembly/touched_lists.h"
 #include "server/solver/cuda/device/graphs.h"
 #include "server/solver/cuda/device/placement.h"
 #include "server/solver/cuda/device_depth.h"
@@ -21,6 +22,7 @@
 #include "server/solver/cuda/mesh/device_mesh.h"
 #include "server/solver/cuda/products/coarsest.h"
 #include "server/solver/cuda/products/transfer.h"
+#include "server/solver/cuda/read_matrices.h"
 #include "server/solver/cuda/readout.h"
 #include "server/solver/cuda/smoothers/patch_solver.h"
 #include "server/solver/cuda/smoothers/smoother.h"
@@ -34,6 +36,11 @@ namespace {
 // Graphs beyond the keys of run_recorded().
 constexpr int kMetricGraph = -1;
 constexpr int kSameRatiosGraph = -2;
+constexpr int kLocalMetricGraph = -3;
+constexpr int kLocalSameRatiosGraph = -4;
+
+// With more changed cells all matrices are made anew, and nothing looks for what they touch.
+constexpr size_t kWholeFromOneIn = 8;
 
 // For a new metric's kernels, many of which run side by side: room for six blocks of the kernels
 // that assemble rows.
@@ -53,7 +60,8 @@ class CudaBackend final : public Backend {
         gradient_rests_(stream_, needs_all_digits() ? CellGradients::kRests * cells() : 0),
         combined_(stream_, mesh_->on.hierarchy->depths.back().number_count()),
         coarse_combined_(stream_, numbers_of_coarse_depths()),
-        pinned_below_(stream_, mesh_->depths.size()),
+        kept_inverses_(stream_, numbers_of_kept_inverses()),
+        pinning_(stream_, mesh_->depths.size()),
         anisotropy_(stream_, 1) {
     for (const DeviceTopology& topology : mesh_->depths)
       depths_.emplace_back(stream_, topology.view(), digits_of_next_depth());
@@ -65,6 +73,7 @@ class CudaBackend final : public Backend {
     if (has_coarsest())
       coarsest_.emplace(stream_, mesh_->on.hierarchy->depths.front(), depths_.front().view());
     if (halo_ != nullptr && !is_on_device()) halo_->never_record();
+    if (mesh_->reach) touched_ = TouchedLists(stream_, *mesh_->reach);
     patches_.emplace(stream_, finest(), mesh_->on.plan->patches, mesh_->patches.view());
     outer_.emplace(stream_, finest(), mesh_->evaluation.data(), mesh_->evaluation.size(), halo_,
                    mesh_->on.hierarchy->finest);
@@ -81,7 +90,8 @@ class CudaBackend final : public Backend {
                      (coarsest_ ? coarsest_->byte_count() : 0) + alpha_.byte_count() +
                      beta_.byte_count() + target_.byte_count() + gradients_.byte_count() +
                      gradient_rests_.byte_count() + signal_.byte_count() + combined_.byte_count() +
-                     coarse_combined_.byte_count() + patches_->byte_count();
+                     coarse_combined_.byte_count() + kept_inverses_.byte_count() +
+                     touched_.byte_count() + patches_->byte_count();
     for (const DeviceDepth& depth : depths_) bytes += depth.byte_count();
     for (const auto& smoother : smoothers_) bytes += smoother->byte_count();
     return bytes;
@@ -99,26 +109,25 @@ class CudaBackend final : public Backend {
     const bool is_isotropic =
         halo_ == nullptr ? metric.is_isotropic() : halo_->all(metric.is_isotropic());
     const bool same_ratios = std::exchange(all_ratios_are_one_, is_isotropic) && is_isotropic;
+    const bool is_local = find_touched();
     stream_.share_memory(kSharedBesideOthers);
-    if (std::exchange(is_first_metric_, false))  // it also starts estimates, which graphs do not
-      assemble_matrices(gradients());
-    else if (same_ratios)
-      run_on_device(kSameRatiosGraph, [this] { assemble_matrices({}); });
+    if (is_local)
+      make_touched_matrices(same_ratios);
     else
-      run_on_device(kMetricGraph, [this] { assemble_matrices(gradients()); });
+      make_matrices(same_ratios);
     stream_.share_memory(Stream::kAsItSuits);
     if (signal_.size() > 0 && !same_ratios)
       make_signal_gradients(stream_, mesh_->integrals(), metric_with(gradients()), finest(),
                             signal_.data(), outer_->constraint().per_slider);
     gradients_are_new_ |= !same_ratios;
-    return true;
+    return !is_local;
   }
 
   void start_over() override {
     for (const auto& smoother : smoothers_) smoother->start_over();
     outer_->start_over();
     all_ratios_are_one_ = false;
-    is_first_metric_ = true;
+    is_first_metric_ = must_be_whole_ = true;
   }
 
   // Recorded graphs keep the usual regularisation.
@@ -127,6 +136,7 @@ class CudaBackend final : public Backend {
     for (const auto& smoother : smoothers_) smoother->be_careful(true);
     assemble_matrices({});
     for (const auto& smoother : smoothers_) smoother->be_careful(false);
+    must_be_whole_ = true;
     outer_->start_over();
   }
 
@@ -194,6 +204,23 @@ class CudaBackend final : public Backend {
     return readout_.vertex_displacement(finest(), outer_->displacement().data(), mesh_->evaluation);
   }
 
+  // read_matrices()
+  std::vector<NamedBits> read() {
+    std::vector<NamedBits> read;
+    for (size_t i = 0; i < depths_.size(); ++i) {
+      const std::string name = "depth " + std::to_string(coarse_offset_ + i);
+      depths_[i].read(stream_, name, read);
+      if (i > 0) smoothers_[i - 1]->read(name, read);
+    }
+    if (coarsest_) coarsest_->read(read);
+    patches_->read(read);
+    const auto corners = static_cast<size_t>(finest().topology.corner_count);
+    read_bits(stream_, "row sums", outer_->row_sum(), corners, read);
+    read_bits(stream_, "constraint of the slider", outer_->constraint().per_slider, corners, read);
+    read_bits(stream_, "anisotropy", anisotropy_, read);
+    return read;
+  }
+
  private:
   // Functions with hardly any energy occur at weak and flat parts. In products of the finest depth
   // the packed entries' and rests' errors would be larger than that energy.
@@ -216,6 +243,21 @@ class CudaBackend final : public Backend {
       numbers += mesh_->on.hierarchy->depths[i].number_count();
     return numbers;
   }
+  // The depths that keep their numbers between metrics need other room for inverses.
+  bool keeps_numbers(size_t above) const {
+    return mesh_->reach.has_value() && above >= BlockReach::kDepthsNotKept;
+  }
+  size_t numbers_of_kept_inverses() const {
+    size_t numbers = 0;
+    for (size_t above = 0; above + 1 < mesh_->depths.size(); ++above)
+      if (keeps_numbers(above)) numbers += kInverseNumbers * cells_of_depth(above);
+    return numbers;
+  }
+  size_t cells_of_depth(size_t above) const {
+    return mesh_->depths[mesh_->depths.size() - 1 - above].view().cell_count;
+  }
+  static constexpr size_t kInverseNumbers = CellSquares<float>::kNumbers;
+
   bool needs_all_digits() const {
     return mesh_->on.plan->needs_all_digits(mesh_->on.hierarchy->finest);
   }
@@ -243,39 +285,72 @@ class CudaBackend final : public Backend {
     is_on_device() ? graphs_.run(key, work) : work();
   }
 
-  // Makes the matrices of all depths. A depth's combined integrals come from the depth below. The
-  // coarsest depth waits for that chain; matrices and smoothers are made next to it. The finest
-  // matrix does not wait for the shares. Its smoother does, because it overwrites their sources.
-  void assemble_matrices(const CellGradients& gradients) {
+  // Finds what the changed cells touch, if they are few.
+  bool find_touched() {
+    const std::vector<int32_t>* changed = alpha_.changed();
+    return mesh_->reach && !must_be_whole_ && changed != nullptr &&
+           changed->size() * kWholeFromOneIn <= cells() && touched_.find(*changed);
+  }
+
+  void make_matrices(bool same_ratios) {
+    must_be_whole_ = false;
+    if (std::exchange(is_first_metric_, false))  // it also starts estimates, which graphs do not
+      assemble_matrices(gradients());
+    else if (same_ratios)
+      run_on_device(kSameRatiosGraph, [this] { assemble_matrices({}); });
+    else
+      run_on_device(kMetricGraph, [this] { assemble_matrices(gradients()); });
+  }
+
+  // Makes what depends on the α of the changed cells alone.
+  void make_touched_matrices(bool same_ratios) {
+    if (alpha_.changed()->empty()) return;
+    touched_.bring(stream_);
+    if (same_ratios)
+      run_on_device(kLocalSameRatiosGraph, [this] { assemble_matrices({}, &touched_); });
+    else
+      run_on_device(kLocalMetricGraph, [this] { assemble_matrices(gradients(), &touched_); });
+  }
+
+  // Makes the matrices of all depths, or their touched blocks. A depth's combined integrals come
+  // from the depth below. The coarsest depth waits for that chain; matrices and smoothers are made
+  // next to it. The finest matrix does not wait for the shares. Its smoother does, because it
+  // overwrites their sources.
+  void assemble_matrices(const CellGradients& gradients, const TouchedLists* local = nullptr) {
     const CellSquares<double> combined = {combined_.data(), finest().topology.cell_count};
     const Metric metric = metric_with(gradients);
     const BesideMatrix beside = {outer_->row_sum(), gradients, outer_->constraint().per_slider};
+    const auto touched = [&](size_t above) {
+      return local != nullptr ? local->at(depths_.size() - 1 - above) : Touched();
+    };
     anisotropy_.clear(stream_);
+    if (local != nullptr) find_anisotropy(stream_, metric, combined.cells);
     if (smoothers_.empty()) {
       combine_integrals(stream_, mesh_->integrals(), metric, combined);
-      assemble_coarsest(combined, beside);
+      assemble_coarsest(combined, beside, {});
     } else {
       CellSquares<double> cells = {coarse_combined_.data(), topology(1).cell_count};
       combine_integrals(stream_, mesh_->integrals(), mesh_->sheets.view(), metric, combined,
-                        topology(0), topology(1), cells);
+                        topology(0), topology(1), cells, touched(0).parts);
       if (halo_ != nullptr) halo_->keep_largest(stream_, anisotropy_.data());
-      start_matrix(0, combined, beside);
-      add_shares(stream_, topology(1).shares, combined, cells);
+      start_matrix(0, combined, beside, touched(0));
+      add_shares(stream_, topology(1).shares, combined, cells, touched(1).parts);
       collect_at_border(1, cells);
       smoothers_.back()->fork();
-      start_smoother(0, combined);
+      start_smoother(0, combined, touched(0));
       for (size_t above = 2; above < depths_.size(); ++above) {
         const CellSquares<double> coarse = {cells.numbers + topology(above - 1).number_count,
                                             topology(above).cell_count};
-        down_sample(stream_, topology(above - 1), topology(above), cells, coarse);
+        down_sample(stream_, topology(above - 1), topology(above), cells, coarse,
+                    touched(above).parts);
         collect_at_border(above, coarse);
-        start_matrix(above - 1, cells, {});
-        start_smoother(above - 1, cells);
+        start_matrix(above - 1, cells, {}, touched(above - 1));
+        start_smoother(above - 1, cells, touched(above - 1));
         cells = coarse;
       }
-      if (has_coarsest()) assemble_coarsest(cells, {});
+      if (has_coarsest()) assemble_coarsest(cells, {}, touched(depths_.size() - 1));
     }
-    if (!smoothers_.empty()) patches_->factor(smoothers_.back()->beside());
+    if (!smoothers_.empty()) patches_->factor(smoothers_.back()->beside(), touched(0).rows);
     for (const auto& smoother : smoothers_) smoother->finish_set_up();
     if (halo_ != nullptr)
       halo_->refresh(stream_, halo_->border(), at(halo_->border()).inverse_diagonal);
@@ -295,21 +370,36 @@ class CudaBackend final : public Backend {
   DepthSmoother& smoother_above(size_t above) { return *smoothers_[smoothers_.size() - 1 - above]; }
 
   // Makes the matrix from the depth's combined integrals, next to the stream's other work.
-  void start_matrix(size_t above, const CellSquares<double>& cells, const BesideMatrix& beside) {
+  // Touched rows alone are no product with the probe.
+  void start_matrix(size_t above, const CellSquares<double>& cells, const BesideMatrix& beside,
+                    const Touched& touched) {
     DepthSmoother& smoother = smoother_above(above);
-    assemble(smoother.fork(), cells, view(above), beside, smoother.probe(),
-             pinned_below_.data() + above);
+    const float4* probe = touched.rows.lists == nullptr ? smoother.probe() : nullptr;
+    assemble(smoother.fork(), cells, view(above), beside, probe, pinning_.data() + above,
+             touched.rows);
   }
 
-  // The combined integrals are no longer needed then: the smoother works in their place.
-  void start_smoother(size_t above, const CellSquares<double>& cells) {
-    smoother_above(above).set_up({reinterpret_cast<float*>(cells.numbers), cells.cells},
-                                 anisotropy_.data());
+  void start_smoother(size_t above, const CellSquares<double>& cells, const Touched& touched) {
+    const CellSquares<float> inverses = {room_for_inverses(above, cells), cells.cells};
+    if (touched.rows.lists == nullptr)
+      smoother_above(above).set_up(inverses, anisotropy_.data());
+    else
+      smoother_above(above).update(inverses, anisotropy_.data(), touched);
   }
 
-  void assemble_coarsest(const CellSquares<double>& cells, const BesideMatrix& beside) {
+  // Where a depth does not keep its numbers, the smoother works in their place.
+  float* room_for_inverses(size_t above, const CellSquares<double>& cells) const {
+    if (!keeps_numbers(above)) return reinterpret_cast<float*>(cells.numbers);
+    float* room = kept_inverses_.data();
+    for (size_t finer = BlockReach::kDepthsNotKept; finer < above; ++finer)
+      room += kInverseNumbers * cells_of_depth(finer);
+    return room;
+  }
+
+  void assemble_coarsest(const CellSquares<double>& cells, const BesideMatrix& beside,
+                         const Touched& touched) {
     assemble(stream_, cells, depths_[0].view(), beside, nullptr,
-             pinned_below_.data() + smoothers_.size());
+             pinning_.data() + smoothers_.size(), touched.rows);
     coarsest_->factor();
   }
 
@@ -321,13 +411,18 @@ class CudaBackend final : public Backend {
   DeviceAlpha alpha_;
   bool all_ratios_are_one_ = false;  // of α1 and α2
   bool is_first_metric_ = true;
+  bool must_be_whole_ = true;  // the next metric
+  TouchedLists touched_;
   GradientScale beta_;
   DeviceTarget target_;
   DeviceArray<float> gradients_, gradient_rests_;  // CellGradients
   DeviceArray<float3> signal_;                     // empty: the surface's own places
   DeviceArray<double> combined_;         // numbers of the finest depth: CellSquares, then sheets
   DeviceArray<double> coarse_combined_;  // other depths, the finest first: CellSquares, then ties
-  DeviceArray<float> pinned_below_, anisotropy_;
+  DeviceArray<float>
+      kept_inverses_;             // of the coarse depths that keep their numbers, the finest first
+  DeviceArray<Pinning> pinning_;  // the finest first
+  DeviceArray<float> anisotropy_;
   std::vector<DeviceDepth> depths_;                        // the coarsest first
   std::vector<std::unique_ptr<DepthSmoother>> smoothers_;  // none at the coarsest
   std::optional<PatchSolver> patches_;                     // of the finest
@@ -338,6 +433,10 @@ class CudaBackend final : public Backend {
 };
 
 }  // namespace
+
+std::vector<NamedBits> read_matrices(Backend& backend) {
+  return dynamic_cast<CudaBackend&>(backend).read();
+}
 
 }  // namespace cuda
 

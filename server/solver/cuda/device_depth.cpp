@@ -1,5 +1,7 @@
 #include "server/solver/cuda/device_depth.h"
 
+#include "server/solver/cuda/device/read_bits.h"
+
 namespace burnish::cuda {
 
 DeviceDepth::DeviceDepth(Stream& stream, const Topology& topology, Digits digits)
@@ -17,6 +19,15 @@ DeviceDepth::DeviceDepth(Stream& stream, const Topology& topology, Digits digits
           remainder_.data(), inverse_diagonal_.data(),
           x_.data(),         f_.data(),
           r_.data()} {}
+
+void DeviceDepth::read(Stream& stream, const std::string& name, std::vector<NamedBits>& to) const {
+  read_bits(stream, name + ": S", packed_, to);
+  read_bits(stream, name + ": rests of S", rest_, to);
+  read_bits(stream, name + ": remainders of S", remainder_, to);
+  read_bits(stream, name + ": long rows of S", long_entries_, to);
+  read_bits(stream, name + ": diagonal of S", diagonal_, to);
+  read_bits(stream, name + ": inverse diagonal", inverse_diagonal_, to);
+}
 
 uint64_t DeviceDepth::byte_count() const {
   return packed_.byte_count() + rest_.byte_count() + remainder_.byte_count() +

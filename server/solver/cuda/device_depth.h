@@ -1,6 +1,7 @@
 #pragma once
 
 #include "server/solver/cuda/device/device_memory.h"
+#include "server/solver/cuda/device/named_bits.h"
 #include "server/solver/cuda/device/views.h"
 
 namespace burnish::cuda {
@@ -13,6 +14,8 @@ class DeviceDepth {
   DeviceDepth(Stream& stream, const Topology& topology, Digits digits);
 
   const Depth& view() const { return view_; }
+  /// Appends S and its inverse diagonal.
+  void read(Stream& stream, const std::string& name, std::vector<NamedBits>& to) const;
   uint64_t byte_count() const;
 
  private:

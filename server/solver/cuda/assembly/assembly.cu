@@ -9,7 +9,7 @@ namespace burnish::cuda {
 
 namespace {
 
-constexpr int kMedianSamples = 64;
+constexpr int kMedianSamples = Pinning::kSamples;
 
 // Returns a cell's share of a diagonal.
 __device__ double diagonal_of(const CellSquares<double>& cells, int64_t cell, int a) {
@@ -20,9 +20,10 @@ __device__ double diagonal_of(const CellSquares<double>& cells, int64_t cell, in
 }
 
 // Finds the median of an even sample in one block, with eight threads for each number: the median
-// is the number that half of the others precede. Leaves out irregular rows.
-__global__ void pinned_below_kernel(Topology topology, CellSquares<double> cells,
-                                    float* pinned_below) {
+// is the number that half of the others precede. Leaves out irregular rows. Takes the numbers of
+// rows that are not listed from last time.
+__global__ void pinned_below_kernel(Topology topology, CellSquares<double> cells, Pinning* pinning,
+                                    BlockList listed) {
   __shared__ float sample[kMedianSamples];
   let_next_start();
   const int stride = max(1, topology.own_count / kMedianSamples);
@@ -35,7 +36,10 @@ __global__ void pinned_below_kernel(Topology topology, CellSquares<double> cells
     diagonal += __shfl_xor_sync(0xffffffffu, diagonal, offset);
   const bool is_sample =
       (__ballot_sync(0xffffffffu, cell >= 0) >> threadIdx.x % 32 / 8 * 8 & 0xffu) != 0;
-  const float mine = is_sample ? diagonal : __int_as_float(0x7f800000);  // infinity
+  float mine = is_sample ? diagonal : __int_as_float(0x7f800000);  // infinity
+  if (!is_listed(listed, t * stride / topology.rows.group_rows)) mine = pinning->sample[t];
+  __syncwarp();
+  if (a == 0) pinning->sample[t] = mine;
   sample[t] = mine;
   const int sampled = __syncthreads_count(is_sample) / 8;
   int rank = 0;
@@ -44,19 +48,18 @@ __global__ void pinned_below_kernel(Topology topology, CellSquares<double> cells
     rank += static_cast<int>(sample[k] < mine || (sample[k] == mine && k < t));
   for (int offset = 4; offset > 0; offset /= 2) rank += __shfl_xor_sync(0xffffffffu, rank, offset);
   if (a == 0 && rank == sampled / 2)
-    *pinned_below = is_sample ? static_cast<float>(kPinnedBelow) * mine : 0;
+    pinning->below = is_sample ? static_cast<float>(kPinnedBelow) * mine : 0;
 }
 
 enum class Gradients { kNone, kFloats, kWithRests };
 
 template <Gradients kGradients>
-__global__ void __launch_bounds__(kThreads, 6)
-    assemble_kernel(CellSquares<double> cells, Depth depth, BesideMatrix beside,
-                    const float4* probe, const float* pinned_below) {
+__device__ __forceinline__ void assemble_group(const CellSquares<double>& cells, const Depth& depth,
+                                               const BesideMatrix& beside, const float4* probe,
+                                               const float* pinned_below, int32_t block) {
   __shared__ RowRoom room;
   float4* tile = tile_of_block<float4>();
-  let_next_start();
-  const Group group = group_of(depth.topology.rows, blockIdx.x);
+  const Group group = group_of(depth.topology.rows, block);
   const int32_t corner = row_of(group);
   await_previous();
   if (probe != nullptr) fill_tile(group, probe, tile);
@@ -96,22 +99,36 @@ __global__ void __launch_bounds__(kThreads, 6)
         beside.gradients, depth.topology.cells_of_corner[corner]);
 }
 
+template <Gradients kGradients, bool kListed>
+__global__ void __launch_bounds__(kThreads, kListed ? 4 : 6)
+    assemble_kernel(CellSquares<double> cells, Depth depth, BesideMatrix beside,
+                    const float4* probe, const float* pinned_below, BlockList listed) {
+  let_next_start();
+  for_own_blocks<kListed>(listed, [&](int32_t block) {
+    assemble_group<kGradients>(cells, depth, beside, probe, pinned_below, block);
+  });
+}
+
+template <bool kListed>
 auto choose_kernel(const BesideMatrix& beside) {
-  if (beside.gradients.rests != nullptr) return assemble_kernel<Gradients::kWithRests>;
-  if (beside.gradients.numbers != nullptr) return assemble_kernel<Gradients::kFloats>;
-  return assemble_kernel<Gradients::kNone>;
+  if (beside.gradients.rests != nullptr) return assemble_kernel<Gradients::kWithRests, kListed>;
+  if (beside.gradients.numbers != nullptr) return assemble_kernel<Gradients::kFloats, kListed>;
+  return assemble_kernel<Gradients::kNone, kListed>;
 }
 
 }  // namespace
 
 void assemble(Stream& stream, const CellSquares<double>& cells, const Depth& depth,
-              const BesideMatrix& beside, const float4* probe, float* pinned_below) {
+              const BesideMatrix& beside, const float4* probe, Pinning* pinning,
+              const BlockList& listed) {
   launch_blocks(stream, pinned_below_kernel, dim3(1), dim3(8 * kMedianSamples), 0, depth.topology,
-                cells, pinned_below);
+                cells, pinning, listed);
   const Rows& rows = depth.topology.rows;
-  launch_products<float4>(stream, choose_kernel(beside), rows, rows.group_count, cells, depth,
-                          beside, probe, pinned_below);
-  assemble_irregular_rows(stream, cells, depth, probe, pinned_below);
+  const float* const pinned_below = &pinning->below;
+  launch_products<float4>(
+      stream, listed.lists ? choose_kernel<true>(beside) : choose_kernel<false>(beside), rows,
+      blocks_for(rows.group_count, listed).x, cells, depth, beside, probe, pinned_below, listed);
+  assemble_irregular_rows(stream, cells, depth, probe, pinned_below, listed);
 }
 
 }  // namespace burnish::cuda

@@ -13,9 +13,20 @@ struct BesideMatrix {
   Double3* per_slider = nullptr;
 };
 
-/// Makes the depth's matrix and inverse diagonal from its cells. Unless `probe` is null, r becomes
-/// the product with it. `pinned_below` is one number of working memory. Source: section 5.2.
+/// The diagonal below which corners of a depth are pinned, and the sample of diagonals that it
+/// comes from.
+struct Pinning {
+  static constexpr int kSamples = 64;
+  float below;
+  float sample[kSamples];
+};
+
+/// Makes the depth's matrix and inverse diagonal from its cells, or the listed blocks of rows.
+/// Unless `probe` is null, r becomes the product with it. Needs: the numbers around these rows; for
+/// listed ones, the pinning as the last call left it. Corners of other rows stay pinned or free.
+/// Source: section 5.2.
 void assemble(Stream& stream, const CellSquares<double>& cells, const Depth& depth,
-              const BesideMatrix& beside, const float4* probe, float* pinned_below);
+              const BesideMatrix& beside, const float4* probe, Pinning* pinning,
+              const BlockList& listed);
 
 }  // namespace burnish::cuda

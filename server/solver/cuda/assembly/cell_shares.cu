@@ -123,11 +123,11 @@ __device__ void add_to(const CellSquares<double>& cells, int64_t target, int a,
 
 template <int kGroups>
 __global__ void add_shares_kernel(Shares shares, CellSquares<double> fine,
-                                  CellSquares<double> coarse) {
+                                  CellSquares<double> coarse, BlockList listed) {
   __shared__ HalfWay half_way;
   let_next_start();
   const int64_t number = thread_index() / (8 * kGroups);
-  const bool is_there = number < shares.target_count;
+  const bool is_there = number < shares.target_count && is_listed(listed, shares.block[number]);
   const auto lane = static_cast<int>(threadIdx.x % 32);
   const int a = lane % 8;
   const Group group = {0xffu << lane / 8 * 8, lane / 8 * 8};
@@ -156,12 +156,13 @@ __global__ void add_shares_kernel(Shares shares, CellSquares<double> fine,
 }  // namespace
 
 void add_shares(Stream& stream, const Shares& shares, const CellSquares<double>& fine,
-                const CellSquares<double>& coarse) {
+                const CellSquares<double>& coarse, const BlockList& listed) {
   if (shares.target_count <= kTargetsAtOnce)
     launch(stream, add_shares_kernel<kWarpGroups>, int64_t{8 * kWarpGroups} * shares.target_count,
-           shares, fine, coarse);
+           shares, fine, coarse, listed);
   else
-    launch(stream, add_shares_kernel<1>, int64_t{8} * shares.target_count, shares, fine, coarse);
+    launch(stream, add_shares_kernel<1>, int64_t{8} * shares.target_count, shares, fine, coarse,
+           listed);
 }
 
 }  // namespace burnish::cuda

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "server/solver/cuda/device/kernel.h"
+#include "server/solver/hierarchy/block_sizes.h"
 #include "server/solver/hierarchy/cell_matrix.h"
 
 // Σ Pᵀ K P over the children of coarse cells; reads each child once through a block's shared
@@ -21,14 +22,15 @@ __device__ inline int number_of(int n) {
 inline constexpr int kParents = kThreads / 8;
 inline constexpr int kChildren = 8 * kParents;
 inline constexpr int kRounds = kChildren / 32;
+static_assert(kParents == kPartsOfBlock);
 struct Children {
   const int32_t* cell;
   int count;
   int32_t before;  // children before these
 };
 
-__device__ inline Children children_of_block(const Topology& coarse) {
-  const int32_t parent = static_cast<int32_t>(blockIdx.x) * kParents;
+__device__ inline Children children_of_block(const Topology& coarse, int32_t block) {
+  const int32_t parent = block * kParents;
   const int32_t first = coarse.child_start[parent];
   const int32_t end = coarse.child_start[min(parent + kParents, coarse.cell_count)];
   return {coarse.child + first, end - first, first};
@@ -105,11 +107,11 @@ __device__ inline void restrict_rows(int octant, int a, unsigned group, double (
   }
 }
 
-/// Uses eight threads per coarse cell, one per row.
-__device__ inline void sum_children(const Topology& coarse, const Children& children,
+/// Uses eight threads per coarse cell of the block, one per row.
+__device__ inline void sum_children(const Topology& coarse, int32_t block, const Children& children,
                                     const ChildNumbers& read,
                                     const CellSquares<double>& coarse_cells) {
-  const int64_t parent = thread_index() / 8;
+  const int64_t parent = int64_t{block} * kParents + threadIdx.x / 8;
   if (parent >= coarse_cells.cells) return;
   const int a = static_cast<int>(threadIdx.x % 8);
   const unsigned group = 0xffu << (threadIdx.x % 32 / 8 * 8);

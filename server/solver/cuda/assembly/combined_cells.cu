@@ -70,18 +70,17 @@ __device__ double combine(const ThreeIntegrals& of, const CellWeights& weights, 
 
 enum class Gradients { kNone, kFloats, kWithRests };
 
-// Combines 32 cells per block: the listed cells, or all. It may run next to the kernel that
-// combines all other cells. It needs none of that kernel's numbers, and both write the same values
-// to the same places. Its wait only makes it end after that kernel.
+// Combines up to 32 cells in a block of threads: those from place `first` of a list on, or of all
+// cells. Places end at `count`.
 template <Gradients kGradients>
-__global__ void combine_kernel(Integrals integrals, Metric metric, CellSquares<double> combined,
-                               const int32_t* list, int64_t count) {
+__device__ __forceinline__ void combine_cells(const Integrals& integrals, const Metric& metric,
+                                              const CellSquares<double>& combined,
+                                              const int32_t* list, int64_t first, int64_t count) {
   constexpr bool kAny = kGradients != Gradients::kNone;
   __shared__ CellWeights weights[32];
   __shared__ double stiffness[kAny ? kPairsPerCell : 1][32 + 1];  // one more avoids bank conflicts
-  let_next_start();
   const auto lane = static_cast<int>(threadIdx.x % 32);
-  const int64_t i = int64_t{blockIdx.x} * 32 + lane, there = min(i, count - 1);
+  const int64_t i = first + lane, there = min(i, count - 1);
   const int64_t cell = list != nullptr ? list[there] : there;
   ThreeIntegrals loaded[kEach];
 #pragma unroll
@@ -103,7 +102,50 @@ __global__ void combine_kernel(Integrals integrals, Metric metric, CellSquares<d
     if (threadIdx.x < 32 && i < count)
       write_gradients<kGradients == Gradients::kWithRests>(of_pair, cell, metric.gradients);
   }
+}
+
+// Combines 32 cells per block: the listed cells, or all. It may run next to the kernel that
+// combines all other cells. It needs none of that kernel's numbers, and both write the same values
+// to the same places. Its wait only makes it end after that kernel.
+template <Gradients kGradients>
+__global__ void combine_kernel(Integrals integrals, Metric metric, CellSquares<double> combined,
+                               const int32_t* list, int64_t count) {
+  let_next_start();
+  combine_cells<kGradients>(integrals, metric, combined, list, int64_t{blockIdx.x} * 32, count);
   await_previous();
+}
+
+// Combines the children of the listed blocks of cells above.
+template <Gradients kGradients>
+__global__ void combine_children_kernel(Integrals integrals, Metric metric,
+                                        CellSquares<double> combined, Topology coarse,
+                                        BlockList listed) {
+  for_own_blocks<true>(listed, [&](int32_t block) {
+    const Children children = children_of_block(coarse, block);
+    for (int first = 0; first < children.count; first += 32) {
+      combine_cells<kGradients>(integrals, metric, combined, children.cell, first, children.count);
+      __syncthreads();
+    }
+  });
+}
+
+// Finds the largest ratio among all cells. If the curve is constant, only cells with their own α
+// have one above 1.
+__global__ void find_anisotropy_kernel(Metric metric, int64_t cells) {
+  await_previous();
+  const AlphaSource& source = *metric.alpha;
+  const bool is_constant = source.point_count == 1;
+  const int64_t count = is_constant ? source.own_count : cells;
+  float largest = 1;
+  for (int64_t i = thread_index(); i < count; i += int64_t{gridDim.x} * kThreads) {
+    float2 alpha;
+    if (is_constant)
+      alpha = {source.own[i].alpha1, source.own[i].alpha2};
+    else
+      alpha = alpha_of(source, metric.curvature, i);
+    largest = fmaxf(largest, fmaxf(alpha.x / alpha.y, alpha.y / alpha.x));
+  }
+  keep_largest(largest, metric.anisotropy);
 }
 
 // Does the same for sheets, as 8×8 matrices one after the other.
@@ -139,14 +181,13 @@ __global__ void combine_sheets_kernel(SheetIntegrals sheets, Metric metric, doub
 // The stiffness for the gradients waits in registers until the shared memory is free: with its own
 // shared memory fewer blocks would run at once.
 template <bool kGradients>
-__global__ void __launch_bounds__(kThreads, 5)
-    combine_and_down_sample_kernel(Integrals integrals, Metric metric, CellSquares<double> combined,
-                                   Topology fine, Topology coarse,
-                                   CellSquares<double> coarse_cells) {
+__device__ __forceinline__ void combine_and_down_sample(
+    const Integrals& integrals, const Metric& metric, const CellSquares<double>& combined,
+    const Topology& fine, const Topology& coarse, const CellSquares<double>& coarse_cells,
+    int32_t block) {
   __shared__ ChildNumbers read;
   __shared__ CellWeights weights[kChildren];
-  let_next_start();
-  const Children children = children_of_block(coarse);
+  const Children children = children_of_block(coarse, block);
   await_previous();
   const auto t = static_cast<int>(threadIdx.x);
   const auto make_weights = [&] {
@@ -165,7 +206,7 @@ __global__ void __launch_bounds__(kThreads, 5)
                combine(loaded, of, number_of(n));
   };
   read_children<kGradients ? kRounds : 1>(children, fine.octant, load, make_weights, make, read);
-  sum_children(coarse, children, read, coarse_cells);
+  sum_children(coarse, block, children, read, coarse_cells);
   if (!kGradients) return;
   __syncthreads();
 #pragma unroll
@@ -179,19 +220,34 @@ __global__ void __launch_bounds__(kThreads, 5)
 }
 static_assert(kChildren == kThreads);
 
+template <bool kGradients, bool kListed>
+__global__ void __launch_bounds__(kThreads, kListed ? 4 : 5)
+    combine_and_down_sample_kernel(Integrals integrals, Metric metric, CellSquares<double> combined,
+                                   Topology fine, Topology coarse, CellSquares<double> coarse_cells,
+                                   BlockList listed) {
+  let_next_start();
+  for_own_blocks<kListed>(listed, [&](int32_t block) {
+    combine_and_down_sample<kGradients>(integrals, metric, combined, fine, coarse, coarse_cells,
+                                        block);
+  });
+}
+
+template <bool kListed>
 __global__ void down_sample_kernel(Topology fine, Topology coarse, CellSquares<double> fine_cells,
-                                   CellSquares<double> coarse_cells) {
+                                   CellSquares<double> coarse_cells, BlockList listed) {
   __shared__ ChildNumbers read;
   let_next_start();
-  const Children children = children_of_block(coarse);
-  await_previous();
-  const auto load = [&](int64_t cell, int number, bool) {
-    return fine_cells.numbers[number * fine_cells.cells + cell];
-  };
-  const auto keep = [](int, int64_t, int, double loaded) { return loaded; };
-  read_children<1>(
-      children, fine.octant, load, [] {}, keep, read);
-  sum_children(coarse, children, read, coarse_cells);
+  for_own_blocks<kListed>(listed, [&](int32_t block) {
+    const Children children = children_of_block(coarse, block);
+    await_previous();
+    const auto load = [&](int64_t cell, int number, bool) {
+      return fine_cells.numbers[number * fine_cells.cells + cell];
+    };
+    const auto keep = [](int, int64_t, int, double loaded) { return loaded; };
+    read_children<1>(
+        children, fine.octant, load, [] {}, keep, read);
+    sum_children(coarse, block, children, read, coarse_cells);
+  });
 }
 
 __global__ void tell_alpha_kernel(AlphaSource alpha, AlphaSource* to) {
@@ -224,18 +280,34 @@ void combine_integrals(Stream& stream, const Integrals& integrals, const Metric&
   combine(stream, integrals, metric, combined, nullptr, combined.cells);
 }
 
+static auto choose_down_sampling(bool gradients, bool is_listed) {
+  if (is_listed)
+    return gradients ? combine_and_down_sample_kernel<true, true>
+                     : combine_and_down_sample_kernel<false, true>;
+  return gradients ? combine_and_down_sample_kernel<true, false>
+                   : combine_and_down_sample_kernel<false, false>;
+}
+
+void find_anisotropy(Stream& stream, const Metric& metric, int64_t cells) {
+  const int64_t threads = std::min(cells, int64_t{kListingBlocksMax} * kThreads);
+  launch(stream, find_anisotropy_kernel, threads, metric, cells);
+}
+
 void combine_integrals(Stream& stream, const Integrals& integrals, const SheetIntegrals& sheets,
                        const Metric& metric, const CellSquares<double>& combined,
                        const Topology& fine, const Topology& coarse,
-                       const CellSquares<double>& coarse_cells) {
+                       const CellSquares<double>& coarse_cells, const BlockList& listed) {
   const Gradients gradients = gradients_of(metric);
-  launch(stream,
-         gradients == Gradients::kFloats ? combine_and_down_sample_kernel<true>
-                                         : combine_and_down_sample_kernel<false>,
-         8 * coarse_cells.cells, integrals, metric, combined, fine, coarse, coarse_cells);
+  const bool is_listed = listed.lists != nullptr, has_rests = gradients == Gradients::kWithRests;
+  const dim3 blocks = blocks_for(block_count(8 * coarse_cells.cells), listed);
+  launch_blocks(stream, choose_down_sampling(gradients == Gradients::kFloats, is_listed), blocks,
+                dim3(kThreads), 0, integrals, metric, combined, fine, coarse, coarse_cells, listed);
   // Rests need doubles, which take more registers than that kernel has. So all cells are
   // combined once more, with the same result.
-  if (gradients == Gradients::kWithRests)
+  if (has_rests && is_listed)
+    launch_blocks(stream, combine_children_kernel<Gradients::kWithRests>, blocks, dim3(kThreads), 0,
+                  integrals, metric, combined, coarse, listed);
+  if (has_rests && !is_listed)
     combine(stream, integrals, metric, combined, nullptr, combined.cells);
   else
     combine(stream, integrals, metric, combined, coarse.shares.apart, coarse.shares.apart_count);
@@ -244,10 +316,12 @@ void combine_integrals(Stream& stream, const Integrals& integrals, const SheetIn
 }
 
 void down_sample(Stream& stream, const Topology& fine, const Topology& coarse,
-                 const CellSquares<double>& fine_cells, const CellSquares<double>& coarse_cells) {
-  launch(stream, down_sample_kernel, 8 * coarse_cells.cells, fine, coarse, fine_cells,
-         coarse_cells);
-  add_shares(stream, coarse.shares, fine_cells, coarse_cells);
+                 const CellSquares<double>& fine_cells, const CellSquares<double>& coarse_cells,
+                 const BlockList& listed) {
+  launch_blocks(stream, listed.lists ? down_sample_kernel<true> : down_sample_kernel<false>,
+                blocks_for(block_count(8 * coarse_cells.cells), listed), dim3(kThreads), 0, fine,
+                coarse, fine_cells, coarse_cells, listed);
+  add_shares(stream, coarse.shares, fine_cells, coarse_cells, listed);
 }
 
 }  // namespace burnish::cuda

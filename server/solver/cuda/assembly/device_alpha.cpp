@@ -1,6 +1,8 @@
 #include "server/solver/cuda/assembly/device_alpha.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "server/solver/cuda/assembly/combined_cells.h"
@@ -10,14 +12,50 @@ namespace burnish::cuda {
 static_assert(AlphaSource::kPointsMax >= kCurvePointsMax);
 static_assert(sizeof(HeldLine) == sizeof(LineMass) && HeldLine::kStretch == LineView::kStretch);
 
-static std::vector<OwnAlpha> own_alphas(std::span<const OwnFields> of_cells) {
-  std::vector<OwnAlpha> own;
-  own.reserve(of_cells.size());
-  for (const OwnFields& of : of_cells) own.push_back({of.cell, of.alpha1, of.alpha2});
-  return own;
+// Visits both lists in step. A cell that leaves the list, or comes to it, may keep its α by chance.
+void DeviceAlpha::find_changed(const MetricView& metric) {
+  follows_last_ = curve_ && *curve_ == *metric.curve;
+  curve_ = *metric.curve;
+  changed_.clear();
+  if (!follows_last_) return;
+  const OwnAlpha* before = own_of_host_.data();
+  const OwnAlpha* const end = before + own_count_;
+  for (const OwnFields& now : metric.own) {
+    for (; before != end && before->cell < now.cell; ++before) changed_.push_back(before->cell);
+    const bool was_own = before != end && before->cell == now.cell;
+    if (!was_own || before->alpha1 != now.alpha1 || before->alpha2 != now.alpha2)
+      changed_.push_back(now.cell);
+    if (was_own) ++before;
+  }
+  for (; before != end; ++before) changed_.push_back(before->cell);
+  add_changed_lines(metric.held.lines);
 }
 
 // Lines of the same cells are the same lines.
+void DeviceAlpha::add_changed_lines(std::span<const LineMass> lines) {
+  std::vector<int32_t> now, moved, all;
+  for (const LineMass& line : lines) now.push_back(line.cell);
+  std::ranges::set_symmetric_difference(line_cells_, now, std::back_inserter(moved));
+  if (moved.empty()) return;
+  std::ranges::set_union(changed_, moved, std::back_inserter(all));
+  changed_ = std::move(all);
+}
+
+// Memory grows by halves, so that most dabs of a stroke take none.
+void DeviceAlpha::set_own(Stream& stream, std::span<const OwnFields> of_cells) {
+  if (of_cells.size() > own_.size()) {
+    const size_t room = of_cells.size() + of_cells.size() / 2;
+    own_ = {stream, room};
+    own_of_host_ = {stream, room};
+  }
+  if (!stream.is_ok()) return;
+  own_count_ = of_cells.size();
+  std::ranges::transform(of_cells, own_of_host_.data(), [](const OwnFields& of) {
+    return OwnAlpha{of.cell, of.alpha1, of.alpha2};
+  });
+  upload(stream, own_.data(), std::span<const OwnAlpha>(own_of_host_.data(), own_count_));
+}
+
 void DeviceAlpha::set_lines(Stream& stream, const LineView& held) {
   std::vector<int32_t> cells;
   for (const LineMass& line : held.lines) cells.push_back(line.cell);
@@ -29,12 +67,11 @@ void DeviceAlpha::set_lines(Stream& stream, const LineView& held) {
 }
 
 void DeviceAlpha::set(Stream& stream, const MetricView& metric) {
-  if (metric.own.size() > own_.size()) own_ = {stream, metric.own.size()};
-  const std::vector<OwnAlpha> own = own_alphas(metric.own);
-  upload(stream, own_.data(), std::span<const OwnAlpha>(own));
+  find_changed(metric);
+  set_own(stream, metric.own);
   AlphaSource source{};
   source.own = own_.data();
-  source.own_count = static_cast<int32_t>(own.size());
+  source.own_count = static_cast<int32_t>(own_count_);
   set_lines(stream, metric.held);
   source.lines = lines_.data();
   source.first_line = line_cells_.empty() ? nullptr : first_line_.data();

@@ -2,6 +2,7 @@
 #include "server/solver/cuda/assembly/irregular_rows.h"
 #include "server/solver/cuda/products/block_inverse.h"
 #include "server/solver/cuda/products/products.h"
+#include "server/solver/hierarchy/block_sizes.h"
 
 namespace burnish::cuda {
 
@@ -100,6 +101,14 @@ class ListedSum {
   int32_t place_[kAhead];
 };
 
+// Returns whether to pass over a block that is not listed. Such a thread has waited, because the
+// next kernel relies on it.
+__device__ bool passes_over(const BlockList& listed, int32_t block) {
+  if (listed.lists == nullptr || is_listed(listed, block)) return false;
+  await_previous();
+  return true;
+}
+
 template <typename Real>
 __device__ Real sum_of_warp(Real number) {
   for (int offset = 16; offset > 0; offset /= 2)
@@ -112,12 +121,13 @@ __device__ float4 sum_of_warp(float4 vector) {
 }
 
 __global__ void assemble_rows_kernel(Depth depth, const double* numbers, const float4* probe,
-                                     const float* pinned_below) {
+                                     const float* pinned_below, BlockList listed) {
   let_next_start();
   const Topology& topology = depth.topology;
   const int64_t number = thread_index() / 32;
   if (number >= topology.irregular.row_count) return;
   const Row row = row_of_warp(topology.irregular, number);
+  if (passes_over(listed, row.corner / topology.rows.group_rows)) return;
   const auto lane = static_cast<int>(threadIdx.x % 32);
   const auto all = static_cast<int32_t>(topology.number_count);
   ListedSum own(topology.irregular, row.first_sum + row.count, lane, 32);
@@ -145,12 +155,13 @@ __global__ void assemble_rows_kernel(Depth depth, const double* numbers, const f
 }
 
 __global__ void invert_irregular_kernel(Depth depth, CellSquares<float> inverses,
-                                        float regularisation) {
+                                        float regularisation, BlockList listed) {
   let_next_start();
   const Irregular& irregular = depth.topology.irregular;
   const int64_t number = thread_index();
   if (number >= irregular.cell_count) return;
   const int32_t cell = irregular.cell[number];
+  if (passes_over(listed, cell / kCellsOfBlock)) return;
   const PairEntries entries = irregular.entry[number];
   const Eight corners = depth.topology.cell_corners[cell];
   await_previous();
@@ -165,12 +176,13 @@ __global__ void invert_irregular_kernel(Depth depth, CellSquares<float> inverses
 
 // Uses the numbers of cells only: ties have no part in M⁻¹.
 __global__ void inverse_rows_kernel(Depth depth, CellSquares<float> inverses, Matrix inverse,
-                                    const float4* vector, float4* next) {
+                                    const float4* vector, float4* next, BlockList listed) {
   let_next_start();
   const Topology& topology = depth.topology;
   const int64_t number = thread_index() / 32;
   if (number >= topology.irregular.row_count) return;
   const Row row = row_of_warp(topology.irregular, number);
+  if (passes_over(listed, row.corner / topology.rows.group_rows)) return;
   const auto lane = static_cast<int>(threadIdx.x % 32);
   const auto of_cells = static_cast<int32_t>(inverses.kNumbers * inverses.cells);
   ListedSum own(topology.irregular, row.first_sum + row.count, lane, 32);
@@ -197,22 +209,23 @@ __global__ void inverse_rows_kernel(Depth depth, CellSquares<float> inverses, Ma
 }  // namespace
 
 void assemble_irregular_rows(Stream& stream, const CellSquares<double>& cells, const Depth& depth,
-                             const float4* probe, const float* pinned_below) {
+                             const float4* probe, const float* pinned_below,
+                             const BlockList& listed) {
   launch(stream, assemble_rows_kernel, int64_t{32} * depth.topology.irregular.row_count, depth,
-         cells.numbers, probe, pinned_below);
+         cells.numbers, probe, pinned_below, listed);
 }
 
 void invert_irregular_cells(Stream& stream, const Depth& depth, const CellSquares<float>& inverses,
-                            float regularisation) {
+                            float regularisation, const BlockList& listed) {
   launch(stream, invert_irregular_kernel, depth.topology.irregular.cell_count, depth, inverses,
-         regularisation);
+         regularisation, listed);
 }
 
 void assemble_irregular_inverse(Stream& stream, const Depth& depth,
                                 const CellSquares<float>& inverses, const Matrix& inverse,
-                                const PowerStep& power, float4* next) {
+                                const PowerStep& power, float4* next, const BlockList& listed) {
   launch(stream, inverse_rows_kernel, int64_t{32} * depth.topology.irregular.row_count, depth,
-         inverses, inverse, power.product, next);
+         inverses, inverse, power.product, next, listed);
 }
 
 }  // namespace burnish::cuda

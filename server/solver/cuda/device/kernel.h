@@ -2,6 +2,8 @@
 
 // The common part of the .cu files: vectors of three columns, rows, and the start of kernels.
 
+#include <algorithm>
+
 #include "server/solver/cuda/device/stream.h"
 #include "server/solver/cuda/device/views.h"
 
@@ -91,6 +93,48 @@ __device__ inline void await_previous_alone() {
 
 __device__ inline int64_t thread_index() {
   return static_cast<int64_t>(blockIdx.x) * blockDim.x + threadIdx.x;
+}
+
+/// Limits the blocks of threads that go through a list of blocks: enough to fill a device.
+inline constexpr int kListingBlocksMax = 1056;
+
+/// Returns how many blocks of threads do all of `blocks`, or those of a list.
+inline dim3 blocks_for(int64_t blocks, const BlockList& list) {
+  if (list.lists == nullptr) return dim3(static_cast<unsigned>(blocks));
+  return dim3(static_cast<unsigned>(std::min<int64_t>(blocks, kListingBlocksMax)));
+}
+
+/// Calls work(block) for this block of threads alone, or for its part of a listed kernel's list.
+/// Every thread calls it. A listed kernel waits for the previous ones even if its list is empty:
+/// the next kernel relies on it.
+template <bool kListed, typename Work>
+__device__ __forceinline__ void for_own_blocks(const BlockList& list, Work&& work) {
+  if constexpr (!kListed) {
+    work(static_cast<int32_t>(blockIdx.x));
+  } else {
+    await_previous();
+    const int32_t end = list.lists[list.number + 1];
+    for (auto i = list.lists[list.number] + static_cast<int32_t>(blockIdx.x); i < end;
+         i += static_cast<int32_t>(gridDim.x)) {
+      work(list.lists[i]);
+      __syncthreads();  // the block's shared memory is free again
+    }
+  }
+}
+
+/// Returns whether a block is listed; without a list all are.
+__device__ inline bool is_listed(const BlockList& list, int32_t block) {
+  if (list.lists == nullptr) return true;
+  int32_t first = list.lists[list.number], end = list.lists[list.number + 1];
+  while (first < end) {
+    const int32_t middle = (first + end) / 2;
+    if (list.lists[middle] == block) return true;
+    if (list.lists[middle] < block)
+      first = middle + 1;
+    else
+      end = middle;
+  }
+  return false;
 }
 
 __device__ inline float4 operator+(float4 a, float4 b) {

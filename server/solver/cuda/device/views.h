@@ -212,9 +212,22 @@ struct Shares {
   const CellPart* part;
   const int32_t* target;
   const int32_t* start;
+  const int32_t* block;  ///< of parts, per target (touched_blocks.h)
   const CellShare* share;
   int32_t apart_count;
   const int32_t* apart;
+};
+
+/// A list of blocks, rising, among a session's lists: those from lists[number] on before
+/// lists[number + 1]. By default there is none, which means all blocks.
+struct BlockList {
+  const int32_t* lists = nullptr;
+  int32_t number = 0;
+};
+
+/// The blocks of one depth that a local new metric makes again (touched_blocks.h); by default all.
+struct Touched {
+  BlockList parts, rows, inverse_rows, inverses;
 };
 
 /// Patches (patches.h).

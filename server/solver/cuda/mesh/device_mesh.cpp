@@ -48,7 +48,7 @@ static std::vector<uint8_t> groups_that_need_all_digits(const HierarchyDepth& de
 
 DeviceTopology::DeviceTopology(Stream& stream, const HierarchyDepth& depth, const CyclePlan& plan)
     : irregular_(stream, depth.stencil, depth.grid.cell_count()),
-      shares_(stream, depth.shares),
+      shares_(stream, depth),
       transfer_(stream, depth.to_parent) {
   const std::vector<int64_t> starts = slice_starts(depth.stencil);
   slice_start_ = {stream, starts};
@@ -179,6 +179,14 @@ void DeviceMesh::forget_arrays() {
   on.prepared = without_arrays(*on.prepared);
 }
 
+static std::optional<BlockReach> find_reach(const DeviceMesh& mesh) {
+  if (mesh.depths.size() < 2) return std::nullopt;
+  std::vector<int32_t> rows_of_block;
+  for (const DeviceTopology& depth : mesh.depths)
+    rows_of_block.push_back(depth.view().rows.group_rows);
+  return BlockReach(*mesh.on.prepared, *mesh.on.hierarchy, rows_of_block);
+}
+
 // The mesh keeps hierarchy and plan alive, so their addresses identify them while it lives.
 Result<std::shared_ptr<const DeviceMesh>> device_mesh(int device, Multigrid on) {
   static std::mutex mutex;
@@ -189,7 +197,9 @@ Result<std::shared_ptr<const DeviceMesh>> device_mesh(int device, Multigrid on) 
   const Key key = {device, on.hierarchy.get(), on.plan.get()};
   if (const auto found = meshes.find(key); found != meshes.end())
     if (auto mesh = found->second.lock()) return mesh;
-  ASSIGN_OR_RETURN(std::shared_ptr<const DeviceMesh> mesh, copy_to_device(device, std::move(on)));
+  ASSIGN_OR_RETURN(auto made, copy_to_device(device, std::move(on)));
+  made->reach = find_reach(*made);
+  std::shared_ptr<const DeviceMesh> mesh = std::move(made);
   meshes[key] = mesh;
   return mesh;
 }

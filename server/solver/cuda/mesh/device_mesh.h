@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "server/solver/cuda/device/device_memory.h"
@@ -10,6 +11,7 @@
 #include "server/solver/cuda/mesh/device_shares.h"
 #include "server/solver/cuda/mesh/device_transfer.h"
 #include "server/solver/cycle/multigrid.h"
+#include "server/solver/hierarchy/touched_blocks.h"
 
 namespace burnish::cuda {
 
@@ -60,6 +62,9 @@ struct DeviceMesh {
   DevicePatches patches;
   DeviceArray<Curvature> curvature;
   DeviceArray<VertexPlace> evaluation;
+  /// What local new metrics touch, on the host. A shard has none: other shards change what it does
+  /// not know of. Nor has a mesh of one depth.
+  std::optional<BlockReach> reach;
 
   int64_t cells() const { return depths.back().view().cell_count; }
   Integrals integrals() const { return {integral_numbers.data(), cells()}; }

@@ -2,15 +2,16 @@
 
 #include "server/solver/cuda/device/device_memory.h"
 #include "server/solver/cuda/device/views.h"
-#include "server/solver/hierarchy/sheets/cell_shares.h"
+#include "server/solver/hierarchy/hierarchy.h"
 
 namespace burnish::cuda {
 
-/// A coarse depth's CellShares on the device; empty if it has none.
+/// A coarse depth's CellShares, and the block of each target, on the device; empty if it has none.
 class DeviceShares {
  public:
   DeviceShares() = default;
-  DeviceShares(Stream& stream, const CellShares& shares);
+  /// `depth`: the coarse depth, which the shares belong to.
+  DeviceShares(Stream& stream, const HierarchyDepth& depth);
 
   Shares view() const;
   uint64_t byte_count() const;
@@ -18,7 +19,7 @@ class DeviceShares {
  private:
   DeviceArray<CellPart> part_;
   DeviceArray<CellShare> share_;
-  DeviceArray<int32_t> target_, start_, apart_;
+  DeviceArray<int32_t> target_, start_, block_, apart_;
 };
 
 }  // namespace burnish::cuda

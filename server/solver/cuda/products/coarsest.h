@@ -20,6 +20,8 @@ class CoarsestSolver {
   /// Returns whether solve() stays on the device, so that it can be part of a graph.
   bool on_device() const { return !host_.has_value(); }
   uint64_t byte_count() const { return dense_.byte_count(); }
+  /// Appends the inverse, if it is on the device.
+  void read(std::vector<NamedBits>& to) const { dense_.read(stream_, to); }
 
  private:
   void read_matrix();

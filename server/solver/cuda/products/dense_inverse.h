@@ -1,6 +1,7 @@
 #pragma once
 
 #include "server/solver/cuda/device/device_memory.h"
+#include "server/solver/cuda/device/read_bits.h"
 #include "server/solver/cuda/device/views.h"
 
 namespace burnish::cuda {
@@ -18,6 +19,10 @@ class DenseInverse {
   void factor(Stream& stream);
   void solve(Stream& stream) const;  ///< x = S⁻¹ f
   uint64_t byte_count() const;
+  /// Appends the inverse.
+  void read(Stream& stream, std::vector<NamedBits>& to) const {
+    read_bits(stream, "coarsest inverse", inverse_, to);
+  }
 
  private:
   Depth depth_{};

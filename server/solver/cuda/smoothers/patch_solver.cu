@@ -107,11 +107,20 @@ __device__ void invert_in_place(int count, double* triangle) {
   }
 }
 
-__global__ void factor_kernel(Depth depth, PatchList list, float* factor_inverse) {
+__device__ bool is_touched(const Depth& depth, const Patch& patch, const BlockList& rows) {
+  if (rows.lists == nullptr) return true;
+  const auto t = static_cast<int>(threadIdx.x);
+  const bool mine =
+      t < patch.count && is_listed(rows, patch.corner[t] / depth.topology.rows.group_rows);
+  return __syncthreads_or(mine) != 0;
+}
+
+__global__ void factor_kernel(Depth depth, PatchList list, float* factor_inverse, BlockList rows) {
   extern __shared__ double triangle[];
   __shared__ FactorRoom room;
   await_previous();
   const Patch patch = patch_at(list, static_cast<int32_t>(blockIdx.x));
+  if (!is_touched(depth, patch, rows)) return;
   fill(depth, patch, room, triangle);
   factor_in_place(patch.count, room, triangle);
   invert_in_place(patch.count, triangle);
@@ -204,10 +213,10 @@ PatchSolver::PatchSolver(Stream& stream, const Depth& depth, const Patches& patc
                  "making room for patches");
 }
 
-void PatchSolver::factor(Stream& stream) {
+void PatchSolver::factor(Stream& stream, const BlockList& rows) {
   if (patches_.count() > 0)
     launch_blocks(stream, factor_kernel, dim3(patches_.count()), dim3(kThreads), shared_bytes_,
-                  depth_, list_, factor_inverse_.data());
+                  depth_, list_, factor_inverse_.data(), rows);
 }
 
 void PatchSolver::relax_colour(int32_t colour) {

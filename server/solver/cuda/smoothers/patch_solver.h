@@ -1,6 +1,7 @@
 #pragma once
 
 #include "server/solver/cuda/device/device_memory.h"
+#include "server/solver/cuda/device/read_bits.h"
 #include "server/solver/cuda/device/views.h"
 #include "server/solver/hierarchy/patches.h"
 
@@ -13,10 +14,16 @@ class PatchSolver {
   /// Keeps a reference to `patches`.
   PatchSolver(Stream& stream, const Depth& depth, const Patches& patches, const PatchList& list);
 
-  void factor(Stream& stream);  ///< call after a new matrix
+  /// Call after a new matrix. Factors the patches with a corner in the listed blocks of rows, or
+  /// all.
+  void factor(Stream& stream, const BlockList& rows);
   void relax_forwards();
   void relax_backwards();
   uint64_t byte_count() const { return factor_inverse_.byte_count(); }
+  /// Appends the factors.
+  void read(std::vector<NamedBits>& to) const {
+    read_bits(stream_, "factors of patches", factor_inverse_, to);
+  }
 
  private:
   void relax_colour(int32_t colour);

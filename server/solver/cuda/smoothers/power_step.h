@@ -28,6 +28,12 @@ __device__ inline void set_steps(float lambda_max, Spectrum& spectrum) {
   spectrum.second_step = 2 * rho / half_width;
 }
 
+/// Makes the steps from the present estimate.
+__device__ inline void renew_steps(float anisotropy, Spectrum& spectrum) {
+  const float estimate = static_cast<float>(kLambdaMaxMargin) * spectrum.lambda_max;
+  set_steps(fminf(fmaxf(estimate, lambda_max_least(anisotropy)), kLambdaMaxBound), spectrum);
+}
+
 /// Makes the steps from the sums over all corners.
 __device__ inline void finish_spectrum(const PowerStep& power, const Sums<2>& total) {
   Spectrum& spectrum = *power.spectrum;
@@ -35,8 +41,7 @@ __device__ inline void finish_spectrum(const PowerStep& power, const Sums<2>& to
     spectrum.lambda_max = static_cast<float>(total.at[1] / total.at[0]);
     spectrum.normalise = static_cast<float>(1 / sqrt(total.at[1]));
   }
-  const float estimate = static_cast<float>(kLambdaMaxMargin) * spectrum.lambda_max;
-  set_steps(fminf(fmaxf(estimate, lambda_max_least(*power.anisotropy)), kLambdaMaxBound), spectrum);
+  renew_steps(*power.anisotropy, spectrum);
 }
 
 /// Every thread of every block calls it with its sums. The last block makes the steps from them.

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "server/solver/cuda/device/read_bits.h"
 #include "server/solver/cuda/halo.h"
 #include "server/solver/cuda/products/long_products.h"
 #include "server/solver/cuda/products/transfer.h"
@@ -98,6 +99,11 @@ __global__ void finish_kernel(PowerStep power, OfShards of_shards) {
   if (thread_index() == 0) finish_spectrum(power, sum_of<2>(of_shards));
 }
 
+__global__ void renew_steps_kernel(const float* anisotropy, Spectrum* spectrum) {
+  await_previous();
+  renew_steps(*anisotropy, *spectrum);
+}
+
 }  // namespace
 
 Schwarz::Schwarz(Stream& stream, const Depth& depth, bool with_rests, Halo* halo, int number)
@@ -122,21 +128,36 @@ Stream& Schwarz::fork() {
   return branch_.stream();
 }
 
+PowerStep Schwarz::power_step(const float* anisotropy) const {
+  return {eigenvector_.data(),
+          depth_.r,
+          anisotropy,
+          spectrum_.data(),
+          {sums_.data(), arrived_.data()},
+          depth_.topology.own_count,
+          totals_.data()};
+}
+
 void Schwarz::set_up(const CellSquares<float>& inverses, const float* anisotropy) {
-  const PowerStep power = {eigenvector_.data(),
-                           depth_.r,
-                           anisotropy,
-                           spectrum_.data(),
-                           {sums_.data(), arrived_.data()},
-                           depth_.topology.own_count,
-                           totals_.data()};
+  const PowerStep power = power_step(anisotropy);
   if (halo_ != nullptr) halo_->refresh(branch_.stream(), number_, depth_.inverse_diagonal);
   refresh(branch_.stream(), depth_.r);
-  invert_cells(branch_.stream(), depth_, inverses, inverse_.rest != nullptr, is_careful_);
-  assemble_inverse(branch_.stream(), depth_, inverses, inverse_, power, direction_.data());
+  invert_cells(branch_.stream(), depth_, inverses, inverse_.rest != nullptr, is_careful_, {});
+  assemble_inverse(branch_.stream(), depth_, inverses, inverse_, power, direction_.data(), {});
   finish_iteration(power);
   if (first_) start_estimate(power);
   first_ = false;
+}
+
+// An iteration takes as long as all of M⁻¹, and hardly leaves the last metric's eigenvector. So the
+// estimate stays until the next whole metric, and its least value follows the cells.
+void Schwarz::update(const CellSquares<float>& inverses, const float* anisotropy,
+                     const Touched& touched) {
+  Stream& stream = branch_.stream();
+  invert_cells(stream, depth_, inverses, inverse_.rest != nullptr, is_careful_, touched.inverses);
+  assemble_inverse(stream, depth_, inverses, inverse_, power_step(anisotropy), direction_.data(),
+                   touched.inverse_rows);
+  launch_blocks(stream, renew_steps_kernel, dim3(1), dim3(1), 0, anisotropy, spectrum_.data());
 }
 
 // Without other shards the kernels have done it.
@@ -198,6 +219,13 @@ void Schwarz::relax() {
   refresh(stream_, depth_.r);
   step(kernel_of<Step::kSecond>(rows, inverse_), depth_.r);
   refresh(stream_, depth_.x);
+}
+
+void Schwarz::read(const std::string& name, std::vector<NamedBits>& to) {
+  read_bits(stream_, name + ": inverse M", packed_, to);
+  read_bits(stream_, name + ": rests of inverse M", rest_, to);
+  read_bits(stream_, name + ": long rows of inverse M", long_entries_, to);
+  read_bits(stream_, name + ": diagonal of inverse M", diagonal_, to);
 }
 
 uint64_t Schwarz::byte_count() const {

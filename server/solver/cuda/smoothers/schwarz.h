@@ -22,14 +22,18 @@ class Schwarz final : public DepthSmoother {
   Stream& beside() override { return branch_.stream(); }
   const float4* probe() const override { return eigenvector_.data(); }
   void set_up(const CellSquares<float>& inverses, const float* anisotropy) override;
+  void update(const CellSquares<float>& inverses, const float* anisotropy,
+              const Touched& touched) override;
   void finish_set_up() override { branch_.join(); }
   void be_careful(bool careful) override { is_careful_ = careful; }
   void start_over() override { first_ = true; }
   void relax_from_zero() override;
   void relax() override;
   uint64_t byte_count() const override;
+  void read(const std::string& name, std::vector<NamedBits>& to) override;
 
  private:
+  PowerStep power_step(const float* anisotropy) const;
   void start_estimate(const PowerStep& power);
   void finish_iteration(const PowerStep& power);
   void refresh(Stream& stream, float4* vector);

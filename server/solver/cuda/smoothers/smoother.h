@@ -1,7 +1,10 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
+#include "server/solver/cuda/device/named_bits.h"
 #include "server/solver/cuda/device/stream.h"
 #include "server/solver/cuda/device/views.h"
 #include "server/solver/cycle/smoother_names.h"
@@ -31,6 +34,13 @@ class DepthSmoother {
   /// Call after a new matrix. Changes r, and the first time f too. `inverses` is working memory;
   /// `anisotropy` is the largest ratio of α1 to α2, or α2 to α1, in any cell, on the device.
   virtual void set_up(const CellSquares<float>& inverses, const float* anisotropy) = 0;
+  /// Call instead after a local new metric: makes what depends on the touched rows of S alone.
+  /// Needs: set_up() before. It may make all anew.
+  virtual void update(const CellSquares<float>& inverses, const float* anisotropy,
+                      const Touched& touched) {
+    (void)touched;
+    set_up(inverses, anisotropy);
+  }
   virtual void finish_set_up() = 0;
 
   /// Regularises by the size of the blocks in the next set_up(), so that none can fail; or as
@@ -41,6 +51,11 @@ class DepthSmoother {
   virtual void relax_from_zero() = 0;  ///< x from zero
   virtual void relax() = 0;            ///< continues from x
   virtual uint64_t byte_count() const = 0;
+  /// Appends what set_up() makes, as far as update() may leave parts of it.
+  virtual void read(const std::string& name, std::vector<NamedBits>& to) {
+    (void)name;
+    (void)to;
+  }
 };
 
 /// `halo`: to the other shards, for kSchwarz alone; null if the depth is whole. Needs: `kind` is
