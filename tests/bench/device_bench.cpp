@@ -129,6 +129,26 @@ void print_metric_times(Solver& solver, Fields& fields) {
         TransferCurve::parse("-20:5,20:450").value());
 }
 
+/// Paints the first curve of the palette somewhere else each time.
+void paint_curve(const PreparedMesh& prepared, int i, Fields& fields) {
+  Stroke stroke = stroke_on(prepared, 0);
+  stroke.brush.curve = 1;
+  stroke.brush.strength = 0.5;
+  stroke.path = {prepared.vertices[prepared.vertices.size() / (kTraces + 1) * i]};
+  fields.paint(stroke);
+}
+
+// A dab of a palette's curve makes few matrices' rows anew.
+void print_dab_time(const char* what, const TransferCurve& curve, const PreparedMesh& prepared,
+                    Solver& solver) {
+  Fields fields(prepared);
+  fields.set_palette({{{"painted", 0, curve}}});
+  solver.set_metric(fields.view());
+  print_device_time(
+      what, [&](int i) { paint_curve(prepared, i, fields); },
+      [&] { solver.set_metric(fields.view()); });
+}
+
 // Does nothing without a trace. Each change follows a step, which clears the constraint from the
 // caches.
 Status print_device_times(const BenchSystem& system) {
@@ -137,6 +157,9 @@ Status print_device_times(const BenchSystem& system) {
   Fields fields(prepared);
   if (trace_device([&] { solver->set_metric(fields.view()); }).empty()) return solver->status();
   print_metric_times(*solver, fields);
+  print_dab_time("matrices, a dab of another alpha", TransferCurve(20), prepared, *solver);
+  print_dab_time("matrices, a dab of another curve", contrast_100(), prepared, *solver);
+  solver->set_metric(fields.view());
   const auto constraint = [&] { solver->set_gradient_scale(fields.view()); };
   const auto print = [&](const char* what, auto&& change) {
     print_device_time(
