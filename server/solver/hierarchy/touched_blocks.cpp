@@ -11,6 +11,8 @@ namespace burnish {
 
 namespace {
 
+constexpr int32_t kApartOfBlock = 64;  // finest cells that are no child of a cell
+
 int32_t blocks_of(int64_t items, int32_t of_block) {
   return static_cast<int32_t>((items + of_block - 1) / of_block);
 }
@@ -50,11 +52,14 @@ class PartBlocks {
              std::span<const int32_t> block_of_finest_cell)
       : prepared_(prepared), depth_(depth), above_(above), of_finest_cell_(block_of_finest_cell) {}
 
-  /// Returns the number of blocks but that of the cells that are no child.
+  /// Returns the number of blocks but those of cells that are no child.
   int32_t count() const {
     return blocks_of((depth_.is_finest() ? above_->grid : depth_.grid).cell_count(), kPartsOfBlock);
   }
-  int32_t count_of_all() const { return count() + (depth_.is_finest() ? 1 : 0); }
+  int32_t count_of_all() const {
+    return count() +
+           (depth_.is_finest() ? blocks_of(std::ssize(above_->shares.apart), kApartOfBlock) : 0);
+  }
 
   int32_t of_part(int32_t part) const {
     if (!depth_.is_finest()) return block_of_coarse_part(depth_, part);
@@ -74,7 +79,7 @@ class PartBlocks {
       for (int32_t parent = first; parent < end; ++parent)
         for (const int32_t child : above_->children[parent]) visit(child);
     else
-      for (const int32_t cell : above_->shares.apart) visit(cell);
+      for (const int32_t cell : apart_cells(block - count())) visit(cell);
   }
 
   /// Calls visit(cell) for the cells whose corners' rows sum the block's parts.
@@ -90,17 +95,24 @@ class PartBlocks {
   }
 
  private:
+  std::span<const int32_t> apart_cells(int32_t block) const {
+    const auto rest = std::span(above_->shares.apart).subspan(size_t{kApartOfBlock} * block);
+    return rest.first(std::min(rest.size(), size_t{kApartOfBlock}));
+  }
+
   const PreparedMesh& prepared_;
   const HierarchyDepth& depth_;
   const HierarchyDepth* above_;
   std::span<const int32_t> of_finest_cell_;
 };
 
-// Cells that are no child have the last block.
+// Cells that are no child have the last blocks.
 std::vector<int32_t> blocks_of_finest_cells(const HierarchyDepth& finest,
                                             const HierarchyDepth& above) {
-  std::vector<int32_t> block(finest.grid.cells.size(),
-                             blocks_of(above.grid.cell_count(), kPartsOfBlock));
+  std::vector<int32_t> block(finest.grid.cells.size());
+  const int32_t first_apart = blocks_of(above.grid.cell_count(), kPartsOfBlock);
+  for (size_t i = 0; i < above.shares.apart.size(); ++i)
+    block[above.shares.apart[i]] = first_apart + static_cast<int32_t>(i) / kApartOfBlock;
   for (int32_t parent = 0; parent < above.grid.cell_count(); ++parent)
     for (const int32_t child : above.children[parent]) block[child] = parent / kPartsOfBlock;
   return block;
@@ -194,6 +206,7 @@ BlockReach::BlockReach(const PreparedMesh& prepared, const Hierarchy& hierarchy,
     const int32_t rows = rows_of_block[d];
     Depth& made = depths_[d];
     made.part_blocks = parts.count();
+    made.all_part_blocks = parts.count_of_all();
     made.row_blocks = blocks_of(depths[d].grid.corner_count(), rows);
     made.cell_blocks = blocks_of(depths[d].grid.cell_count(), kCellsOfBlock);
     made.rows_of_parts = find_rows_of_parts(depths[d], parts, rows, made.row_blocks);
@@ -217,7 +230,7 @@ size_t BlockReach::blocks_max() const {
 void BlockReach::find(std::span<const int32_t> cells, std::vector<TouchedBlocks>& touched) const {
   const size_t finest = depths_.size() - 1;
   touched.resize(depths_.size());
-  IndexSet of_cells(depths_[finest].part_blocks + 1);
+  IndexSet of_cells(depths_[finest].all_part_blocks);
   for (const int32_t cell : cells) of_cells.insert(block_of_finest_cell_[cell]);
   touched[finest].parts = of_cells.take_rising();
   for (size_t d = finest + 1; d-- > 0;) {
@@ -232,7 +245,7 @@ void BlockReach::find(std::span<const int32_t> cells, std::vector<TouchedBlocks>
   // Depths without kept numbers also need what their rows and the depth above sum.
   for (size_t d = finest + 1 - std::min(kDepthsNotKept, depths_.size()); d <= finest; ++d) {
     const Depth& depth = depths_[d];
-    IndexSet needed(depth.part_blocks + 1);
+    IndexSet needed(depth.all_part_blocks);
     for (const int32_t block : touched[d].parts) needed.insert(block);
     add_reached(depth.parts_of_rows, touched[d].rows, needed);
     if (d > 0) add_reached(depth.below, touched[d - 1].parts, needed);
@@ -241,7 +254,8 @@ void BlockReach::find(std::span<const int32_t> cells, std::vector<TouchedBlocks>
     touched[d].parts = needed.take_rising();
   }
   std::vector<int32_t>& of_finest = touched[finest].parts;
-  if (!of_finest.empty() && of_finest.back() == depths_[finest].part_blocks) of_finest.pop_back();
+  of_finest.erase(std::ranges::lower_bound(of_finest, depths_[finest].part_blocks),
+                  of_finest.end());
 }
 
 }  // namespace burnish

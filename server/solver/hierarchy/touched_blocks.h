@@ -50,8 +50,9 @@ class BlockReach {
 
  private:
   struct Depth {
-    int32_t part_blocks = 0, row_blocks = 0, cell_blocks = 0;
-    // Of blocks of parts. The finest depth has one more, of the cells that are no child.
+    // At the finest depth `all_part_blocks` counts those of cells that are no child, too.
+    int32_t part_blocks = 0, all_part_blocks = 0, row_blocks = 0, cell_blocks = 0;
+    // Of blocks of parts.
     Groups<int32_t> rows_of_parts;  // the rows that sum them
     Groups<int32_t> parts_of_rows;  // the inverse
     Groups<int32_t> above;          // parts of the depth above that sum them; none at the coarsest
