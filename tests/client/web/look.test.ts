@@ -16,7 +16,7 @@ const kSections = ["Keep edges", "Equaliser", "Palette", "Colours", "Light", "Ca
 /** Returns the names of parts that are wider than their place. */
 const tooWide = (visit: Visit) =>
   visit.page.evaluate(() =>
-    [...document.querySelectorAll("#page, .column, .no-session, section, .row, .row button, .thirds button")]
+    [...document.querySelectorAll("#page, .column, .no-session, section, .row, .row button, .thirds button, .strengths button")]
       .filter((one) => one.scrollWidth > one.clientWidth + 1)
       .map((one) => one.className || one.getAttribute("aria-label") || one.id || one.textContent),
   );
@@ -42,6 +42,12 @@ for (const colorScheme of ["dark", "light"] as const)
           assert.deepEqual(await tooWide(visit), []);
           await visit.screenshot(name + "-start");
           await visit.openSession();
+          const pictures = [0.33, 0.67, 1].map((strength) => ({ strength, word: "most", number: 0 }));
+          await visit.change({
+            preset: { name: "Sharpen all", strength: 1, word: "all" },
+            strengths: { preset: "Sharpen all", trial: "trying strength 0.33", pictures },
+          });
+          await visit.page.getByRole("group", { name: "Pictures of strengths" }).waitFor();
           await lookAtColumns(visit, name);
           assert.deepEqual(await tooWide(visit), []);
         },
