@@ -1,5 +1,6 @@
 // Loaded into a burnish-server under test (LD_PRELOAD). After SIGUSR1 it kills the server at the
 // BURNISH_DIE_COUNT-th arrival at the point BURNISH_DIE_AT: before or after a sync or a rename.
+// At the point "before log sync" other files than a journal's log do not count.
 // At the point "failed sync" the server lives on: the sync of a journal's log is done, and fails
 // with EIO.
 
@@ -51,8 +52,10 @@ static bool is_log_of_a_journal(int file) {
 }
 
 static int sync(int (*real)(int), int file) {
+  const bool is_log = is_log_of_a_journal(file);
+  if (is_log) arrive("before log sync");
   const int result = between("before sync", "after sync", real, file);
-  if (!is_log_of_a_journal(file) || !is_wanted("failed sync")) return result;
+  if (!is_log || !is_wanted("failed sync")) return result;
   errno = EIO;
   return -1;
 }

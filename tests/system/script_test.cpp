@@ -269,7 +269,7 @@ TEST(Script, AnEditThatCouldNotBeSavedIsAFailure) {
   ASSERT_EQ(server.burnish({"open", "ball", "--session", "work"}).exit_code, 0);
   server.kill();
   setenv("LD_PRELOAD", DIE_AT_LIBRARY, 1);
-  setenv("BURNISH_DIE_AT", "before sync", 1);
+  setenv("BURNISH_DIE_AT", "before log sync", 1);  // a hierarchy may be kept before
   setenv("BURNISH_DIE_COUNT", "1", 1);
   server.start();
   unsetenv("LD_PRELOAD");
