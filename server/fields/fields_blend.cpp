@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/base/parallel.h"
 #include "server/fields/fields.h"
 
 namespace burnish {
@@ -129,8 +130,11 @@ std::vector<std::vector<OwnFields>> Fields::blend_stretches(
   constexpr size_t kStretchesAlone = 64;  // for fewer, waking threads takes longer
   const PaintedCurves curves(*this);
   std::vector<std::vector<OwnFields>> blended(stretches.size());
+  ParallelFailure failure;
 #pragma omp parallel for schedule(dynamic) if (stretches.size() > kStretchesAlone)
-  for (size_t i = 0; i < stretches.size(); ++i) blend_stretch(curves, stretches[i], blended[i]);
+  for (size_t i = 0; i < stretches.size(); ++i)
+    failure.run([&] { blend_stretch(curves, stretches[i], blended[i]); });
+  failure.rethrow();
   return blended;
 }
 

@@ -41,6 +41,9 @@ constexpr int kLocalSameRatiosGraph = -4;
 
 // With more changed cells all matrices are made anew, and nothing looks for what they touch.
 constexpr size_t kWholeFromOneIn = 8;
+// Estimates of λmax are of the last whole metric: local ones may change one cell in so many
+// together.
+constexpr size_t kEstimatedAnewFromOneIn = 2;
 
 // For a new metric's kernels, many of which run side by side: room for six blocks of the kernels
 // that assemble rows.
@@ -289,11 +292,14 @@ class CudaBackend final : public Backend {
   bool find_touched() {
     const std::vector<int32_t>* changed = alpha_.changed();
     return mesh_->reach && !must_be_whole_ && changed != nullptr &&
-           changed->size() * kWholeFromOneIn <= cells() && touched_.find(*changed);
+           changed->size() * kWholeFromOneIn <= cells() &&
+           (changed_since_whole_ + changed->size()) * kEstimatedAnewFromOneIn <= cells() &&
+           touched_.find(*changed);
   }
 
   void make_matrices(bool same_ratios) {
     must_be_whole_ = false;
+    changed_since_whole_ = 0;
     if (std::exchange(is_first_metric_, false))  // it also starts estimates, which graphs do not
       assemble_matrices(gradients());
     else if (same_ratios)
@@ -305,6 +311,7 @@ class CudaBackend final : public Backend {
   // Makes what depends on the α of the changed cells alone.
   void make_touched_matrices(bool same_ratios) {
     if (alpha_.changed()->empty()) return;
+    changed_since_whole_ += alpha_.changed()->size();
     touched_.bring(stream_);
     if (same_ratios)
       run_on_device(kLocalSameRatiosGraph, [this] { assemble_matrices({}, &touched_); });
@@ -411,7 +418,8 @@ class CudaBackend final : public Backend {
   DeviceAlpha alpha_;
   bool all_ratios_are_one_ = false;  // of α1 and α2
   bool is_first_metric_ = true;
-  bool must_be_whole_ = true;  // the next metric
+  bool must_be_whole_ = true;       // the next metric
+  size_t changed_since_whole_ = 0;  // cells, counted each time
   TouchedLists touched_;
   GradientScale beta_;
   DeviceTarget target_;

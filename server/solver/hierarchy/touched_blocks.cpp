@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/base/parallel.h"
 #include "server/solver/hierarchy/block_sizes.h"
 #include "server/solver/hierarchy/index_set.h"
 #include "server/solver/hierarchy/sources.h"
@@ -17,21 +18,30 @@ int32_t blocks_of(int64_t items, int32_t of_block) {
   return static_cast<int32_t>((items + of_block - 1) / of_block);
 }
 
-/// Returns for each of `from` blocks which of `to` blocks visit(block, add) adds, rising.
+void drop_repeated(std::vector<int32_t>& numbers) {
+  std::ranges::sort(numbers);
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+/// Returns for each of `from` blocks which other blocks visit(block, add) adds, rising.
 template <typename Visit>
-Groups<int32_t> relate(int32_t from, int32_t to, const Visit& visit) {
+Groups<int32_t> relate(int32_t from, const Visit& visit) {
   std::vector<std::vector<int32_t>> reached(from);
+  ParallelFailure failure;
 #pragma omp parallel
   {
-    std::vector<int32_t> last_from(to, kNone);
+    std::vector<int32_t> added;  // often again: the same block has many ways to another
 #pragma omp for schedule(dynamic, 64)
     for (int32_t block = 0; block < from; ++block) {
-      visit(block, [&](int32_t other) {
-        if (std::exchange(last_from[other], block) != block) reached[block].push_back(other);
+      failure.run([&] {
+        added.clear();
+        visit(block, [&](int32_t other) { added.push_back(other); });
+        drop_repeated(added);
+        reached[block] = added;
       });
-      std::ranges::sort(reached[block]);
     }
   }
+  failure.rethrow();
   Groups<int32_t> related;
   for (const std::vector<int32_t>& blocks : reached) related.add(blocks);
   return related;
@@ -119,8 +129,8 @@ std::vector<int32_t> blocks_of_finest_cells(const HierarchyDepth& finest,
 }
 
 Groups<int32_t> find_rows_of_parts(const HierarchyDepth& depth, const PartBlocks& parts,
-                                   int32_t rows_of_block, int32_t row_blocks) {
-  return relate(parts.count_of_all(), row_blocks, [&](int32_t block, auto&& add) {
+                                   int32_t rows_of_block) {
+  return relate(parts.count_of_all(), [&](int32_t block, auto&& add) {
     parts.visit_summed_cells(block, [&](int32_t cell) {
       for (const int32_t corner : depth.grid.cell_corners[cell]) add(corner / rows_of_block);
     });
@@ -130,7 +140,7 @@ Groups<int32_t> find_rows_of_parts(const HierarchyDepth& depth, const PartBlocks
 // Returns the cells around the corners of each block of rows.
 Groups<int32_t> find_cells_of_rows(const HierarchyDepth& depth, int32_t rows_of_block,
                                    int32_t row_blocks) {
-  return relate(row_blocks, depth.grid.cell_count(), [&](int32_t block, auto&& add) {
+  return relate(row_blocks, [&](int32_t block, auto&& add) {
     const int32_t first = block * rows_of_block;
     const int32_t end = std::min(first + rows_of_block, depth.grid.corner_count());
     for (int32_t corner = first; corner < end; ++corner)
@@ -143,14 +153,14 @@ Groups<int32_t> find_cells_of_rows(const HierarchyDepth& depth, int32_t rows_of_
 Groups<int32_t> find_rows_around(const HierarchyDepth& depth, const Groups<int32_t>& cells,
                                  int32_t rows_of_block) {
   const auto blocks = static_cast<int32_t>(cells.count());
-  return relate(blocks, blocks, [&](int32_t block, auto&& add) {
+  return relate(blocks, [&](int32_t block, auto&& add) {
     for (const int32_t cell : cells[block])
       for (const int32_t corner : depth.grid.cell_corners[cell]) add(corner / rows_of_block);
   });
 }
 
-Groups<int32_t> find_cell_blocks(const Groups<int32_t>& cells, int32_t cell_blocks) {
-  return relate(static_cast<int32_t>(cells.count()), cell_blocks, [&](int32_t block, auto&& add) {
+Groups<int32_t> find_cell_blocks(const Groups<int32_t>& cells) {
+  return relate(static_cast<int32_t>(cells.count()), [&](int32_t block, auto&& add) {
     for (const int32_t cell : cells[block]) add(cell / kCellsOfBlock);
   });
 }
@@ -163,7 +173,7 @@ Groups<int32_t> find_below(const PartBlocks& fine, const HierarchyDepth& coarse,
     for (size_t i = 0; i < shares.target.size(); ++i)
       add(block_of_coarse_part(coarse, shares.target[i]), static_cast<int32_t>(i));
   });
-  return relate(of_coarse.count(), fine.count_of_all(), [&](int32_t block, auto&& add) {
+  return relate(of_coarse.count(), [&](int32_t block, auto&& add) {
     of_coarse.visit_cells(block, [&](int32_t cell) {
       for (const int32_t child : coarse.children[cell]) add(fine.of_part(child));
     });
@@ -209,11 +219,11 @@ BlockReach::BlockReach(const PreparedMesh& prepared, const Hierarchy& hierarchy,
     made.all_part_blocks = parts.count_of_all();
     made.row_blocks = blocks_of(depths[d].grid.corner_count(), rows);
     made.cell_blocks = blocks_of(depths[d].grid.cell_count(), kCellsOfBlock);
-    made.rows_of_parts = find_rows_of_parts(depths[d], parts, rows, made.row_blocks);
+    made.rows_of_parts = find_rows_of_parts(depths[d], parts, rows);
     made.parts_of_rows = inverse_of(made.rows_of_parts, made.row_blocks);
     const Groups<int32_t> around = find_cells_of_rows(depths[d], rows, made.row_blocks);
     made.rows_around = find_rows_around(depths[d], around, rows);
-    made.cells_of_rows = find_cell_blocks(around, made.cell_blocks);
+    made.cells_of_rows = find_cell_blocks(around);
     if (d == 0) continue;
     made.below = find_below(parts, depths[d - 1], parts_of(d - 1));
     made.above = inverse_of(made.below, parts.count_of_all());
