@@ -7,6 +7,7 @@
 #include "client/cli/progress_printer.h"
 #include "client/cli/server_option.h"
 #include "client/report/depth_text.h"
+#include "common/base/text.h"
 #include "common/bundle/scan_bundle.h"
 #include "common/mesh/mesh_format.h"
 #include "common/mesh/rewrite/left_out/left_out.h"
@@ -42,7 +43,7 @@ void tell_of_files_beside(const ScanBundle& bundle) {
 void warn_of_missing(const ScanBundle& bundle) {
   if (!bundle.missing().empty())
     std::cerr << "warning: not beside " << bundle.mesh().string() << ": "
-              << left_out_text(bundle.missing()) << "\n";
+              << few_names(bundle.missing()) << "\n";
 }
 
 Status run(const ImportOptions& options) {

@@ -132,6 +132,16 @@ std::string one_line(std::string_view text, size_t bytes_max) {
   return cleaned(text, bytes_max, [](char32_t c) { return !is_control(c); });
 }
 
+std::string few_names(std::span<const std::string> names) {
+  constexpr size_t kNamesMax = 5, kBytesMax = 100;
+  std::string text;
+  for (const std::string& name : names.first(std::min(names.size(), kNamesMax)))
+    text += (text.empty() ? "" : ", ") + one_line(name, kBytesMax);
+  if (names.size() > kNamesMax)
+    text += " and " + std::to_string(names.size() - kNamesMax) + " more";
+  return text;
+}
+
 std::string seconds_text(std::chrono::milliseconds time) {
   char text[32];
   std::snprintf(text, sizeof(text), "%g s", static_cast<double>(time.count()) / 1000);

@@ -48,6 +48,10 @@ std::string shortened(std::string_view text, size_t bytes_max);
 /// '?' too.
 std::string one_line(std::string_view text, size_t bytes_max);
 
+/// Joins the first few names of a file for a message, each as one_line(), and says how many more
+/// there are: "a.png, b.png", "a, b, c, d, e and 7 more".
+std::string few_names(std::span<const std::string> names);
+
 /// Returns "10 s", "0.25 s".
 std::string seconds_text(std::chrono::milliseconds time);
 

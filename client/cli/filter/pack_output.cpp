@@ -7,10 +7,10 @@
 #include "common/archive/archive.h"
 #include "common/archive/archive_writer.h"
 #include "common/base/atomic_file.h"
+#include "common/base/text.h"
 #include "common/bundle/place_mesh.h"
 #include "common/bundle/scan_bundle.h"
 #include "common/mesh/files/archive_files.h"
-#include "common/mesh/rewrite/left_out/left_out.h"
 #include "common/mesh/rewrite/rewrite.h"
 
 namespace burnish {
@@ -27,8 +27,8 @@ Status write_packed_mesh(const std::filesystem::path& original, const MovedMesh&
                          const std::filesystem::path& archive, PictureWork& pictures) {
   ASSIGN_OR_RETURN(const ScanBundle bundle, ScanBundle::open(original));
   if (!bundle.missing().empty())
-    std::cerr << "warning: not beside " << original.string() << ": "
-              << left_out_text(bundle.missing()) << "\n";
+    std::cerr << "warning: not beside " << original.string() << ": " << few_names(bundle.missing())
+              << "\n";
   ASSIGN_OR_RETURN(const std::vector<uint8_t> packed, pack_original(bundle));
   ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(archive));
   OutputBuffer output(file);

@@ -4,7 +4,7 @@
 
 #include "client/model/documents/session_choice.h"
 #include "client/model/files/scan_files.h"
-#include "common/mesh/rewrite/left_out/left_out.h"
+#include "common/base/text.h"
 
 namespace burnish {
 
@@ -218,7 +218,7 @@ void Workspace::import_there(const std::filesystem::path& file, Opening opening,
           }
           tell_imported(file, *outcome);
           if (!missing.empty())
-            log.warning("not beside " + file.filename().string() + ": " + left_out_text(missing));
+            log.warning("not beside " + file.filename().string() + ": " + few_names(missing));
           refresh_library();
           if (may_open(file)) open_scan(outcome->scan, opening, raw_depth_, activity);
         };

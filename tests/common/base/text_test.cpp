@@ -1,5 +1,8 @@
 #include "common/base/text.h"
 
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace burnish {
@@ -33,6 +36,22 @@ TEST(Shortened, LinesStayAndTheRestIsUtf8) {
   EXPECT_EQ(shortened("a\nb\xff", 1000), "a\nb?");
   EXPECT_EQ(shortened("abc", 3), "abc");
   EXPECT_EQ(shortened("abcd", 3), "abc... (1 more bytes)");
+}
+
+TEST(FewNames, AreAllThatThereAre) {
+  EXPECT_EQ(few_names({}), "");
+  EXPECT_EQ(few_names(std::vector<std::string>{"a.png"}), "a.png");
+  EXPECT_EQ(few_names(std::vector<std::string>{"a", "b", "c", "d", "e"}), "a, b, c, d, e");
+}
+
+TEST(FewNames, OfManySayHowManyMoreThereAre) {
+  const std::vector<std::string> names(20'000, "a");
+  EXPECT_EQ(few_names(names), "a, a, a, a, a and 19995 more");
+}
+
+TEST(FewNames, AreSafeOnATerminalAndShort) {
+  EXPECT_EQ(few_names(std::vector<std::string>{"a\x1b[31m", "b\nc"}), "a?[31m, b?c");
+  EXPECT_LT(few_names(std::vector<std::string>(9, std::string(1'000'000, 'x'))).size(), 1000u);
 }
 
 TEST(CheckName, RefusesWhatIsNotUtf8AndWhatIsNotShownAsItStands) {
