@@ -4,10 +4,21 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <string>
+#include <system_error>
 #include <unistd.h>
 #include <utility>
 
 namespace burnish {
+
+Result<std::filesystem::path> temporary_folder() {
+  std::error_code error;
+  std::filesystem::path folder = std::filesystem::temp_directory_path(error);
+  if (!error) return folder;
+  const char* const named = std::getenv("TMPDIR");
+  return errno_status("the folder for temporary files" +
+                          (named == nullptr ? std::string() : ", TMPDIR=" + std::string(named)),
+                      error.value());
+}
 
 // Some file systems know no files without a name.
 static int open_and_unlink(const std::filesystem::path& folder) {

@@ -8,6 +8,10 @@
 
 namespace burnish {
 
+/// Returns the user's folder for temporary files: TMPDIR, or the system's. Fails: as errno says, if
+/// there is no such folder.
+Result<std::filesystem::path> temporary_folder();
+
 /// Opens a file of a folder that has no name, for reading and writing. The disk takes it back when
 /// it is closed, however the process ends. Returns -1 and sets errno on failure.
 int open_nameless(const std::filesystem::path& folder);

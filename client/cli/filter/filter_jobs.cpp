@@ -7,6 +7,7 @@
 
 #include "common/base/atomic_file.h"
 #include "common/base/mapped_file.h"
+#include "common/base/scratch_file.h"
 
 namespace burnish {
 
@@ -38,7 +39,8 @@ Result<std::vector<FilterJob>> plan_folder(const FilterOptions& options) {
 }
 
 Result<fs::path> make_folder() {
-  std::string name = (fs::temp_directory_path() / "burnish-XXXXXX").string();
+  ASSIGN_OR_RETURN(const fs::path folder, temporary_folder());
+  std::string name = (folder / "burnish-XXXXXX").string();
   if (::mkdtemp(name.data()) == nullptr) return errno_status("cannot make " + name, errno);
   return fs::path(name);
 }

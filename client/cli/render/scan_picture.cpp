@@ -2,15 +2,20 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "client/cli/render/textured_picture.h"
 #include "common/base/mapped_file.h"
+#include "common/base/text.h"
 #include "common/mesh/files/folder_files.h"
 #include "common/mesh/io/mesh_io.h"
 #include "common/mesh/io/named_files.h"
 #include "common/mesh/io/textured_surface.h"
 #include "common/mesh/mesh_format.h"
+#include "common/mesh/textures/shown_picture.h"
+#include "server/prepare/preparation_need.h"
 
 namespace burnish {
 
@@ -20,6 +25,12 @@ namespace {
 bool may_show_pictures(std::span<const uint8_t> bytes, MeshFormat format) {
   if (format == MeshFormat::kObj || format == MeshFormat::kPly) return true;  // beside it
   return may_have_pictures(bytes, format);
+}
+
+bool shows_pictures(const SurfaceTextures& textures) {
+  for (uint32_t t = 0; t < textures.triangles.size(); ++t)
+    if (shown_picture(textures, t) != kNoTexture) return true;
+  return false;
 }
 
 class ScanPainter {
@@ -46,43 +57,66 @@ class ScanPainter {
     const MeshSurroundings beside{&files, scan_.filename().string(), {}};
     warn_of_missing(find_named_files(file.bytes(), format, beside));
     const auto take = [&](const TexturedSurface& surface) {
-      if (surface.textures.triangles.empty()) return draw_colours(surface.mesh);
-      draw_textures(surface);
-      return Status::ok();
+      if (shows_pictures(surface.textures)) {
+        draw_textures(surface);
+        return Status::ok();
+      }
+      warn_of_hidden(surface.textures.pictures);
+      // Read by itself, a scan has the plain colours of its materials too.
+      return surface.textures.triangles.empty() ? draw_colours(surface.mesh) : Status::ok();
     };
     return read_textured_surface(file.bytes(), format, scan_.string(), take, beside);
+  }
+
+  /// Names in files may control a terminal.
+  void warn(const std::string& text) {
+    constexpr size_t kWarningBytesMax = 5000;  // a path may have 4096
+    drawn_.warnings.push_back(one_line(text, kWarningBytesMax));
   }
 
   // Where files cannot be found, reading the scan says why.
   void warn_of_missing(const Result<NamedFiles>& named) {
     if (!named.is_ok() || named->missing.empty()) return;
-    std::string text = "not beside " + scan_.string() + ":";
-    for (const std::string& name : named->missing) text += " " + name;
-    drawn_.warnings.push_back(text);
+    warn("not beside " + scan_.string() + ": " + few_names(named->missing));
+  }
+
+  void warn_of_hidden(const std::vector<SurfacePicture>& pictures) {
+    if (pictures.empty()) return;
+    std::vector<std::string> names;
+    names.reserve(pictures.size());
+    for (const SurfacePicture& picture : pictures) names.push_back(picture.name);
+    warn("no triangle shows " + few_names(names) +
+         ": one must have its material, and texture coordinates that are finite and up to " +
+         std::to_string(static_cast<uint64_t>(kTextureCoordinateMax)));
   }
 
   void draw_textures(const TexturedSurface& surface) {
-    auto drawn = draw_textured_picture(surface, scan_.string(), options_);
-    if (!drawn.is_ok()) {
-      drawn_.warnings.push_back("the scan's pictures are not shown, but their mean colours: " +
-                                drawn.status().message());
-      return;
-    }
-    for (std::string& warning : drawn->warnings) drawn_.warnings.push_back(std::move(warning));
+    MachineBudget machine;
+    auto drawn = draw_textured_picture(surface, scan_.string(), options_, machine);
+    if (!drawn.is_ok())
+      return warn("the scan's pictures are not shown, but their mean colours: " +
+                  drawn.status().message());
+    for (const std::string& warning : drawn->warnings) warn(warning);
     if (!drawn->image) return;
     drawn_.image = *std::move(drawn->image);
     is_drawn_ = drawn_.is_textured = true;
   }
 
   Status draw_colours(const TriangleMesh& mesh) {
-    if (colours_ == ScanColours::kNeeded && !mesh.has_colours())
-      return failed_precondition(scan_.string() + " has no colours");
+    if (colours_ == ScanColours::kNeeded && !mesh.has_colours()) return no_colours();
     PictureOptions options = options_;
     if (mesh.has_colours() && colours_ != ScanColours::kNone)
       options.style.colouring = Colouring::kScan;
     ASSIGN_OR_RETURN(drawn_.image, draw_picture(mesh, options));
     is_drawn_ = true;
     return Status::ok();
+  }
+
+  /// An error takes the place of the picture and its warnings, which may say why.
+  Status no_colours() const {
+    std::string text = scan_.string() + " has no colours";
+    for (const std::string& warning : drawn_.warnings) text += "; " + warning;
+    return failed_precondition(text);
   }
 
   const std::filesystem::path& scan_;

@@ -25,7 +25,7 @@ struct ScanPicture {
 /// Draws one picture of a mesh file. A scan with pictures shows their texels. Where that fails, it
 /// shows their mean colours at its vertices, and a warning says why.
 /// Fails: as read_mesh() and draw_picture(); failed_precondition for needed colours that the scan
-/// does not have.
+/// does not have, with the warnings.
 Result<ScanPicture> draw_scan_picture(const std::filesystem::path& scan,
                                       const PictureOptions& options, ScanColours colours);
 

@@ -35,7 +35,7 @@ bool fits(const TexturedSurface& surface) {
 
 Status hand_over(TexturedSurface surface, const SurfaceFile& file, const TakeSurface& take) {
   RETURN_IF_ERROR(validate(surface.mesh, FileSteps(file.beside.budget)).with_context(file.name));
-  if (!fits(surface)) surface.textures = {};
+  if (!fits(surface)) surface.textures.triangles = {};
   return take(surface);
 }
 

@@ -18,7 +18,7 @@ struct TexturedSurface {
   /// Its colours, if it has any, multiply the textures in linear light. An OBJ or a PLY has them
   /// only without textures.
   TriangleMesh mesh;
-  /// Without triangles if the file has none, or if they do not fit the mesh.
+  /// Without triangles if the file has none, or if they do not fit the mesh; it may have pictures.
   SurfaceTextures textures;
 };
 

@@ -191,7 +191,7 @@ SurfaceTextures read_ply_textures(std::span<const uint8_t> ply, std::span<const 
   const auto header = parse_ply_header(ply, "");
   if (textures.pictures.empty() || !header.is_ok()) return {};
   const PlyTextureLayout layout = find_texture_layout(*header);
-  if (!layout.is_on_vertices() && !layout.is_on_faces()) return {};
+  if (!layout.is_on_vertices() && !layout.is_on_faces()) return textures;
   switch (header->encoding) {
     case PlyEncoding::kAscii:
       read_texture_body<PlyAsciiSource>(ply, *header, layout, triangles, beside.budget, textures);

@@ -12,8 +12,8 @@ namespace burnish {
 /// Reads the texture coordinates of a PLY file that read_ply() has read to these triangles: of the
 /// corners of faces (a list "texcoord"), else of vertices ("s" and "t", "u" and "v", "texture_u"
 /// and "texture_v"). v counts from the bottom. A face's "texnumber" counts the comments
-/// "TextureFile"; a face without it has the first. Returns none if none of these pictures is there.
-/// Needs: files, which outlive the result.
+/// "TextureFile"; a face without it has the first. Returns none if none of these pictures is there,
+/// and pictures alone if the file has no coordinates. Needs: files, which outlive the result.
 SurfaceTextures read_ply_textures(std::span<const uint8_t> ply, std::span<const Triangle> triangles,
                                   const MeshSurroundings& beside);
 

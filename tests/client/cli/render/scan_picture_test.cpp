@@ -1,19 +1,58 @@
 #include "client/cli/render/scan_picture.h"
 
+#include <cstdlib>
+#include <limits>
+#include <optional>
+
 #include <gmock/gmock.h>
 
 #include "client/cli/render/textured_picture.h"
+#include "common/mesh/mesh_format.h"
 #include "tests/client/cli/render/painted_file.h"
 #include "tests/common/mesh/rewrite/textured_grid.h"
 
 namespace burnish {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 constexpr ImageSize kSize{320, 240};
+
+/// Names another folder for temporary files, while it lives.
+class TemporaryFolderElsewhere {
+ public:
+  explicit TemporaryFolderElsewhere(const std::filesystem::path& folder) {
+    if (const char* before = std::getenv("TMPDIR")) before_ = before;
+    setenv("TMPDIR", folder.c_str(), 1);
+  }
+  ~TemporaryFolderElsewhere() {
+    if (before_) {
+      setenv("TMPDIR", before_->c_str(), 1);
+    } else {
+      unsetenv("TMPDIR");
+    }
+  }
+  TemporaryFolderElsewhere(const TemporaryFolderElsewhere&) = delete;
+  TemporaryFolderElsewhere& operator=(const TemporaryFolderElsewhere&) = delete;
+
+ private:
+  std::optional<std::string> before_;
+};
+
+/// Admits everything, and says that it has so much memory.
+class MemoryOf : public PreparationBudget {
+ public:
+  explicit MemoryOf(uint64_t bytes) : bytes_(bytes) {}
+  uint64_t memory_bytes_max() const override { return bytes_; }
+  Status ask(const PreparationNeed&) override { return Status::ok(); }
+
+ private:
+  const uint64_t bytes_;
+};
 
 /// Few vertices: their mean colours say little of the pattern.
 class PictureOfAPaintedBall : public testing::Test {
@@ -109,6 +148,83 @@ TEST_F(PictureOfASquare, ThatIsNotThereIsSaid) {
   ASSERT_TRUE(drawn.is_ok()) << drawn.status().to_string();
   EXPECT_FALSE(drawn->is_textured);
   EXPECT_THAT(drawn->warnings, ElementsAre(HasSubstr("skin.png")));
+}
+
+TEST_F(PictureOfASquare, ThatIsNotThereIsSaidWhereColoursAreNeededToo) {
+  const auto drawn = draw("scan.obj", ScanColours::kNeeded);
+  EXPECT_EQ(drawn.status().code(), StatusCode::kFailedPrecondition);
+  EXPECT_THAT(drawn.status().message(), AllOf(HasSubstr("no colours"), HasSubstr("skin.png")));
+}
+
+TEST_F(PictureOfASquare, ThatNamesManyMissingFilesSaysAFewThatATerminalCanShow) {
+  std::string materials;
+  for (int i = 0; i < 1000; ++i)
+    materials +=
+        "newmtl m" + std::to_string(i) + "\nmap_Kd \x1b[31m" + std::to_string(i) + ".png\n";
+  folder_.write("skin.mtl", materials);
+  const auto drawn = draw("scan.obj");
+  ASSERT_TRUE(drawn.is_ok()) << drawn.status().to_string();
+  ASSERT_THAT(drawn->warnings,
+              ElementsAre(AllOf(HasSubstr("?[31m0.png"), HasSubstr("and 995 more"))));
+  EXPECT_THAT(drawn->warnings[0], Not(HasSubstr("\x1b")));
+}
+
+TEST_F(PictureOfASquare, ThatNoTriangleCanShowIsSaid) {
+  folder_.write("skin.png", skin_);
+  TexturedGrid odd = grid_;
+  odd.shift = 1e9;
+  folder_.write("far.obj", odd.obj());
+  folder_.write("far.ply", odd.ply());
+  odd.shift = std::numeric_limits<double>::quiet_NaN();
+  folder_.write("nan.obj", odd.obj());
+  folder_.write("nan.ply", odd.ply());
+  const auto triangle = [](const std::string& property, const std::string& values) {
+    return "ply\nformat ascii 1.0\ncomment TextureFile skin.png\nelement vertex 3\n"
+           "property float x\nproperty float y\nproperty float z\nelement face 1\n"
+           "property list uchar int vertex_indices\n" +
+           property + "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2" + values + "\n";
+  };
+  folder_.write("few.ply", triangle("property list uchar float texcoord\n", " 4 0 0 1 0"));
+  folder_.write("none.ply", triangle("", ""));
+  for (const std::string name :
+       {"far.obj", "far.ply", "nan.obj", "nan.ply", "few.ply", "none.ply"}) {
+    const auto drawn = draw(name);
+    ASSERT_TRUE(drawn.is_ok()) << drawn.status().to_string();
+    EXPECT_FALSE(drawn->is_textured) << name;
+    EXPECT_THAT(drawn->warnings, ElementsAre(AllOf(HasSubstr("skin.png"), HasSubstr("1048576"))))
+        << name;
+  }
+}
+
+TEST_F(PictureOfASquare, WithoutAFolderForTemporaryFilesHasMeanColours) {
+  folder_.write("skin.png", skin_);
+  const std::string nowhere = folder_ / "nowhere";
+  const TemporaryFolderElsewhere elsewhere(nowhere);
+  const auto drawn = draw("scan.obj");
+  ASSERT_TRUE(drawn.is_ok()) << drawn.status().to_string();
+  EXPECT_FALSE(drawn->is_textured);
+  EXPECT_THAT(drawn->warnings, ElementsAre(AllOf(HasSubstr("mean colours"), HasSubstr(nowhere))));
+}
+
+TEST_F(PictureOfASquare, TakesNoMoreThanAPartOfTheMemoryForTextures) {
+  const std::string content = TexturedGrid{.cells = 1, .begin = 0.05, .end = 0.95}.glb(skin_).glb();
+  const std::vector<uint8_t> bytes(content.begin(), content.end());
+  const auto warnings_with = [&](uint64_t memory) {
+    MemoryOf budget(memory);
+    std::vector<std::string> warnings;
+    const auto take = [&](const TexturedSurface& surface) -> Status {
+      ASSIGN_OR_RETURN(const TexturedPicture drawn,
+                       draw_textured_picture(surface, "square", unlit_picture({640, 480}), budget));
+      EXPECT_TRUE(drawn.image.has_value());
+      warnings = drawn.warnings;
+      return Status::ok();
+    };
+    const Status read = read_textured_surface(bytes, MeshFormat::kGlb, "square", take);
+    EXPECT_TRUE(read.is_ok()) << read.to_string();
+    return warnings;
+  };
+  EXPECT_THAT(warnings_with(uint64_t{1} << 33), IsEmpty());
+  EXPECT_THAT(warnings_with(240'000), ElementsAre(HasSubstr("coarser")));
 }
 
 TEST_F(PictureOfASquare, ThatIsDamagedIsSaid) {
