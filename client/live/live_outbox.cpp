@@ -6,8 +6,10 @@
 namespace burnish {
 
 void LiveOutbox::apply(std::vector<Edit> edits, Time now) {
-  for (const Edit& edit : edits)
+  for (const Edit& edit : edits) {
     if (gesture_ && gesture_->whole.edit_id == edit.id) gesture_.reset();
+    if (begun_preview_ == edit.id) begun_preview_.clear();
+  }
   batches_.push_back({std::move(edits), now});
 }
 
@@ -23,13 +25,10 @@ void LiveOutbox::preview(const std::string& edit_id, PreviewChange change, Time 
   } else {
     gesture_ = Gesture{{edit_id, std::move(change)}};
   }
-  dropped_preview_.clear();
 }
 
 void LiveOutbox::drop_preview(const std::string& edit_id) {
-  if (!gesture_ || gesture_->whole.edit_id != edit_id) return;
-  gesture_.reset();
-  dropped_preview_ = edit_id;
+  if (gesture_ && gesture_->whole.edit_id == edit_id) gesture_.reset();
 }
 
 void LiveOutbox::move_brush(const std::optional<BrushRing>& ring) {
@@ -43,7 +42,7 @@ void LiveOutbox::restart() {
   pages_.restart();
   for (Batch& batch : batches_) batch.sent = false;
   if (gesture_) gesture_->sent = false, gesture_->sent_points = 0;
-  dropped_preview_.clear();
+  begun_preview_.clear();
   ring_sent_ = !ring_;
   previews_sent_ = 0;
 }
@@ -51,6 +50,7 @@ void LiveOutbox::restart() {
 Preview LiveOutbox::next_part(Gesture& gesture) {
   gesture.sent = true;
   ++previews_sent_;
+  begun_preview_ = gesture.whole.edit_id;
   const auto* stroke = std::get_if<Stroke>(&gesture.whole.change);
   if (!stroke) return gesture.whole;
   const auto first = stroke->path.begin() + static_cast<std::ptrdiff_t>(gesture.sent_points);
@@ -66,9 +66,9 @@ std::optional<ClientMessage> LiveOutbox::next() {
     batch->sent = true;
     return ApplyEdits{batch->edits};
   }
-  if (!dropped_preview_.empty()) {
+  if (must_drop()) {
     ++previews_sent_;
-    return DropPreview{std::exchange(dropped_preview_, {})};
+    return DropPreview{std::exchange(begun_preview_, {})};
   }
   if (gesture_ && !gesture_->sent) return next_part(*gesture_);
   if (!std::exchange(ring_sent_, true)) return MoveBrush{ring_};
@@ -89,6 +89,7 @@ std::optional<LiveOutbox::Batch> LiveOutbox::answered(const std::string& edit_id
 bool LiveOutbox::forget_preview(const std::string& edit_id) {
   if (!gesture_ || gesture_->whole.edit_id != edit_id) return false;
   gesture_.reset();
+  begun_preview_.clear();
   return true;
 }
 

@@ -32,6 +32,7 @@ class LiveOutbox {
 
   void apply(std::vector<Edit> edits, Time now);
   void preview(const std::string& edit_id, PreviewChange change, Time now);
+  /// Says nothing of a preview of which nothing was said.
   void drop_preview(const std::string& edit_id);
   void move_brush(const std::optional<BrushRing>& ring);
 
@@ -52,9 +53,7 @@ class LiveOutbox {
   size_t unacknowledged() const;  ///< edits
 
   /// Returns whether the preview and the ends of earlier ones have been said.
-  bool has_said_previews() const {
-    return dropped_preview_.empty() && (!gesture_ || gesture_->sent);
-  }
+  bool has_said_previews() const { return !must_drop() && (!gesture_ || gesture_->sent); }
   uint64_t previews_sent() const { return previews_sent_; }  ///< on this stream
   Time preview_since() const { return preview_since_; }      ///< of the newest part
 
@@ -67,13 +66,15 @@ class LiveOutbox {
   };
 
   Preview next_part(Gesture& gesture);
+  /// A new preview replaces the one that the server has.
+  bool must_drop() const { return !gesture_ && !begun_preview_.empty(); }
 
   const Greeting greeting_;
   bool greeted_ = false;
   PagesToShow pages_;
   std::deque<Batch> batches_;
   std::optional<Gesture> gesture_;
-  std::string dropped_preview_;
+  std::string begun_preview_;  // that the server has a part of; empty: none
   std::optional<BrushRing> ring_;
   bool ring_sent_ = true;
   uint64_t previews_sent_ = 0;

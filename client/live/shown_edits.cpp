@@ -21,6 +21,7 @@ void ShownEdits::acknowledged(std::vector<std::string> ids, Time since, uint64_t
 }
 
 void ShownEdits::preview_sent(uint64_t count, Time since) {
+  has_previewed_ = true;
   previews_.push_back({count, since});
   if (previews_.size() > kPreviewsKept) previews_.pop_front();
 }
@@ -33,8 +34,14 @@ void ShownEdits::frame(uint64_t edits, uint64_t previews, Time now) {
     shown_.push_back({std::move(waiting.ids), ms_between(waiting.since, now)});
     return true;
   });
+  is_frame_old_ = false;
   for (; !previews_.empty() && previews_.front().count <= previews; previews_.pop_front())
     preview_ms_.push_back(ms_between(previews_.front().since, now));
+}
+
+void ShownEdits::restart() {
+  is_frame_old_ = has_previewed_;
+  previews_.clear();
 }
 
 std::vector<EditsShown> ShownEdits::take_edits() {

@@ -26,10 +26,11 @@ class ShownEdits {
   void frame(uint64_t edits, uint64_t previews, Time now);
 
   /// A new stream: previews are counted anew.
-  void restart() { previews_.clear(); }
+  void restart();
 
-  /// Returns whether a frame has seen every preview of this stream that has been sent.
-  bool shows_previews() const { return previews_.empty(); }
+  /// Returns whether a frame has seen every preview of this stream that has been sent, and is not
+  /// of an earlier stream that had previews.
+  bool shows_previews() const { return previews_.empty() && !is_frame_old_; }
 
   /// Edits whose first frame has come since the last call.
   std::vector<EditsShown> take_edits();
@@ -53,7 +54,9 @@ class ShownEdits {
 
   std::vector<Waiting> waiting_;
   std::deque<Sent> previews_;
-  std::deque<Level> levels_;  // rising
+  bool has_previewed_ = false;  // on any stream
+  bool is_frame_old_ = false;   // the newest frame is of an earlier stream, and may show previews
+  std::deque<Level> levels_;    // rising
   std::vector<EditsShown> shown_;
   std::vector<double> preview_ms_;
 };

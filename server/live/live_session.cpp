@@ -82,9 +82,9 @@ Status LiveSession::work(SessionTurn& at, bool& more) {
   if (at.is_solving() || !at.catch_up(for_a_slice())) return Status::ok();
   show_gestures(at);
   const Status relaxed = relax(at);
-  // An edit that moves nothing also gets its frame, because clients wait for it. An export may have
-  // relaxed the surface further.
-  const Seen now{at.edits(), at.last().cycle, at.session().surface_revision()};
+  // An edit or a preview that moves nothing also gets its frame, because clients wait for it. An
+  // export may have relaxed the surface further.
+  const Seen now{at.edits(), at.last().cycle, at.session().surface_revision(), previews_taken_};
   if (std::exchange(seen_, now) != now) ++version_;
   if (now.cycle > 0) is_unmoved_ = false;
   tell_state(at);

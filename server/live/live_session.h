@@ -40,6 +40,7 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
   /// Fails: permission_denied for a viewer; invalid_argument, resource_exhausted that name the
   /// value and its limit. A failed gesture stays unchanged.
   Status preview(uint64_t connection, Preview piece);
+  /// Does nothing but count for a gesture that is not running.
   void drop_preview(uint64_t connection, const std::string& edit_id);
 
   void move_brush(uint64_t connection, const std::optional<BrushRing>& ring);
@@ -100,6 +101,7 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
   void refuse_waiting(const Status& why);
   void apply(SessionTurn& at, EditMessage message);
   void show_gestures(SessionTurn& at);
+  Status take_preview(uint64_t connection, Preview piece);
   void drop_gesture(uint64_t connection, const std::vector<std::string>& edit_ids);
   void tell_state(SessionTurn& at);
   Status relax(SessionTurn& at);
@@ -121,15 +123,17 @@ class LiveSession final : public Scheduled, public std::enable_shared_from_this<
 
   // Used by turn() only.
   std::optional<FairMutex::Ticket> ticket_;  // in the line for the session
-  /// Everything that makes a new surface.
+  /// Everything that makes a new surface, or that clients wait to see in a frame.
   struct Seen {
     uint64_t edits = 0;
     int cycle = 0;
     uint64_t surface_revision = 0;
+    uint64_t previews = 0;
     bool operator==(const Seen&) const = default;
   };
   uint64_t version_ = 0;  // of the surface; 0 is the unmoved one
   Seen seen_;
+  uint64_t previews_taken_ = 0;  // messages of all clients, also of those that have left
   uint64_t life_ = 0;  // of the session that the next members are of; it shows the gestures
   std::optional<SteadySurface> steady_;
   std::optional<HeldPoints> held_;           // while rims are held

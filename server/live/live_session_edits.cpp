@@ -83,29 +83,33 @@ void LiveSession::apply(SessionTurn& at, EditMessage message) {
   finish();
 }
 
+// A refused one is counted too.
 Status LiveSession::preview(uint64_t connection, Preview piece) {
-  {
-    const std::lock_guard lock(mutex_);
-    const auto slot = slots_.find(connection);
-    if (slot == slots_.end()) return Status::ok();
-    ++slot->second.previews;
-    const Caller& caller = slot->second.subscriber->caller;
-    RETURN_IF_ERROR(require_role(roles_, caller, SessionRole::kEditor, "editing"));
-    const auto mine = gestures_.find(connection);
-    const bool goes_on = mine != gestures_.end() && mine->second.edit_id == piece.edit_id &&
-                         mine->second.change.index() == piece.change.index();
-    if (auto* stroke = std::get_if<Stroke>(&piece.change); stroke && goes_on) {
-      const Stroke& begun = std::get<Stroke>(mine->second.change);
-      if (begun.brush != stroke->brush)
-        return invalid_argument("the brush of a preview differs from the brush at its beginning");
-      stroke->path.insert(stroke->path.begin(), begun.path.begin(), begun.path.end());
-    }
-    const auto check = [](const auto& change) { return validate(Edit{{}, change}); };
-    RETURN_IF_ERROR(std::visit(check, piece.change).with_context("preview"));
-    gestures_[connection] = {caller.user, std::move(piece.edit_id), std::move(piece.change)};
-    changed_gestures_.insert(connection);
-  }
+  Status taken = take_preview(connection, std::move(piece));
   wake();
+  return taken;
+}
+
+Status LiveSession::take_preview(uint64_t connection, Preview piece) {
+  const std::lock_guard lock(mutex_);
+  const auto slot = slots_.find(connection);
+  if (slot == slots_.end()) return Status::ok();
+  ++slot->second.previews;
+  const Caller& caller = slot->second.subscriber->caller;
+  RETURN_IF_ERROR(require_role(roles_, caller, SessionRole::kEditor, "editing"));
+  const auto mine = gestures_.find(connection);
+  const bool goes_on = mine != gestures_.end() && mine->second.edit_id == piece.edit_id &&
+                       mine->second.change.index() == piece.change.index();
+  if (auto* stroke = std::get_if<Stroke>(&piece.change); stroke && goes_on) {
+    const Stroke& begun = std::get<Stroke>(mine->second.change);
+    if (begun.brush != stroke->brush)
+      return invalid_argument("the brush of a preview differs from the brush at its beginning");
+    stroke->path.insert(stroke->path.begin(), begun.path.begin(), begun.path.end());
+  }
+  const auto check = [](const auto& change) { return validate(Edit{{}, change}); };
+  RETURN_IF_ERROR(std::visit(check, piece.change).with_context("preview"));
+  gestures_[connection] = {caller.user, std::move(piece.edit_id), std::move(piece.change)};
+  changed_gestures_.insert(connection);
   return Status::ok();
 }
 
@@ -148,7 +152,8 @@ void LiveSession::show_gestures(SessionTurn& at) {
     }
   }
   changed_gestures_.clear();
-  for (auto& [connection, slot] : slots_) slot.previews_taken = slot.previews;
+  for (auto& [connection, slot] : slots_)
+    previews_taken_ += slot.previews - std::exchange(slot.previews_taken, slot.previews);
   previews.drop_applied(at.session().edited().history());
 }
 

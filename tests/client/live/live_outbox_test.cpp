@@ -126,6 +126,44 @@ TEST(LiveOutbox, DropsThePreviewThatIsOnAndNoOther) {
   EXPECT_FALSE(outbox.next());
 }
 
+TEST(LiveOutbox, APreviewOfWhichNothingWasSaidEndsUnsaid) {
+  LiveOutbox outbox = greeted();
+  outbox.preview("a", SetGradientScale{0.1}, kNow);
+  outbox.drop_preview("a");
+  EXPECT_TRUE(outbox.has_said_previews());
+  EXPECT_FALSE(outbox.next());
+  EXPECT_EQ(outbox.previews_sent(), 0u);
+}
+
+TEST(LiveOutbox, DropsAPreviewWhoseNewestValueIsUnsaid) {
+  LiveOutbox outbox = greeted();
+  outbox.preview("a", SetGradientScale{0.1}, kNow);
+  ASSERT_TRUE(says<Preview>(outbox.next()));
+  outbox.preview("a", SetGradientScale{0.2}, kNow);
+  outbox.drop_preview("a");
+  EXPECT_FALSE(outbox.has_said_previews());
+  EXPECT_TRUE(says<DropPreview>(outbox.next()));
+  EXPECT_TRUE(outbox.has_said_previews());
+  EXPECT_FALSE(outbox.next());
+}
+
+// The server has the first preview until it hears of its end, or of another preview.
+TEST(LiveOutbox, APreviewThatEndsUnsaidLeavesTheEndOfTheOneBefore) {
+  for (const bool is_edit : {false, true}) {
+    LiveOutbox outbox = greeted();
+    outbox.preview("a", SetGradientScale{0.1}, kNow);
+    ASSERT_TRUE(says<Preview>(outbox.next()));
+    outbox.drop_preview("a");
+    outbox.preview("b", SetGradientScale{0.2}, kNow);
+    is_edit ? outbox.apply(slider("b"), kNow) : outbox.drop_preview("b");
+    if (is_edit) {
+      EXPECT_TRUE(says<ApplyEdits>(outbox.next()));
+    }
+    EXPECT_EQ(next<DropPreview>(outbox).edit_id, "a");
+    EXPECT_FALSE(outbox.next());
+  }
+}
+
 TEST(LiveOutbox, DoesNotSayARefusedPreviewAgain) {
   LiveOutbox outbox = greeted();
   outbox.preview("a", SetGradientScale{0.1}, kNow);

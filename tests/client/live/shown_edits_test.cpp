@@ -37,6 +37,19 @@ TEST(ShownEdits, MayBeShownBeforeTheyAreAcknowledged) {
   EXPECT_EQ(edits[0].latency_ms, 8);
 }
 
+TEST(ShownEdits, AFrameOfAnEarlierStreamMayShowItsPreviews) {
+  ShownEdits shown;
+  shown.restart();
+  EXPECT_TRUE(shown.shows_previews()) << "nothing was previewed";
+  shown.preview_sent(1, at(0));
+  shown.frame(0, 1, at(5));
+  EXPECT_TRUE(shown.shows_previews());
+  shown.restart();
+  EXPECT_FALSE(shown.shows_previews());
+  shown.frame(0, 0, at(20));
+  EXPECT_TRUE(shown.shows_previews());
+}
+
 TEST(ShownEdits, PreviewsAreCountedByStream) {
   ShownEdits shown;
   shown.preview_sent(1, at(0));

@@ -71,6 +71,29 @@ TEST_F(LiveEdits, APreviewGivesWayToItsEditAndFramesCountIt) {
   EXPECT_EQ(ann.pages.values(), dragged);
 }
 
+TEST_F(LiveEdits, APreviewThatEndsBeforeItIsTakenGetsItsFrame) {
+  auto ann = guest();
+  ann.show_level(0);
+  ann.settle();
+  const std::vector<int32_t> before = ann.pages.values();
+  ASSERT_TRUE(ann.session().preview(ann.connection(), {"drag", SetGradientScale{0.5}}).is_ok());
+  ann.session().drop_preview(ann.connection(), "drag");
+  ann.subscriber().grant({.frames = 1});
+  ann.settle();
+  EXPECT_EQ(ann.all<LiveFrame>().back().stats.previews, 2u);
+  EXPECT_EQ(ann.pages.values(), before);
+}
+
+TEST_F(LiveEdits, ARefusedPreviewIsCountedByAFrame) {
+  auto ann = guest();
+  ann.show_level(0);
+  ann.settle();
+  EXPECT_FALSE(ann.session().preview(ann.connection(), {"drag", SetGradientScale{-1}}).is_ok());
+  ann.subscriber().grant({.frames = 1});
+  ann.settle();
+  EXPECT_EQ(ann.all<LiveFrame>().back().stats.previews, 1u);
+}
+
 TEST_F(LiveEdits, AGainMovesTheSurfaceWithoutACycle) {
   const auto bands = [](double gain) { return SetEqualiser{{{{0.5, gain}, {2, gain}}}}; };
   auto ann = guest();
