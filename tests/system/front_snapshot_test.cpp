@@ -39,6 +39,7 @@ TEST_F(SnapshotOfThePage, HasTheTypesThatThePageReads) {
   ASSERT_TRUE(until([this] { return is_settled() && document()["history"].size() > 3; }));
   line("strengths open");
   ASSERT_TRUE(until([this] { return snapshot_["strengths"].is_object(); }));
+  EXPECT_EQ(snapshot_["preset"]["hasTrial"], true);
   EXPECT_EQ(complaints(), "") << "with pictures of strengths";
   set_ruler(180);
   set_ruler(220);

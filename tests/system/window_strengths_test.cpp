@@ -9,6 +9,7 @@
 namespace burnish {
 namespace {
 
+using testing::EndsWith;
 using testing::HasSubstr;
 
 class StrengthsWindow : public WindowTest {
@@ -50,6 +51,20 @@ TEST_F(StrengthsWindow, AStrengthIsChosenByItsPicture) {
   EXPECT_TRUE(until_it_differs(before, 0.1));
   EXPECT_TRUE(places_->find("Filter/Strength 1.00")) << "the pictures stay";
   save_screen("strength-chosen.png");
+}
+
+TEST_F(StrengthsWindow, PicturesWithTheSameTextAreChosenEach) {
+  open_window();
+  choose_preset("Soften");
+  const Edit nearly_all{"nearly", SetGradientScale{0.004}};
+  ASSERT_TRUE(connection_->apply("desk", {&nearly_all, 1}).is_ok());
+  newest_of(3);
+  settle();
+  click_on("Filter/Compare strengths");
+  const Box first = places_->wait_for("Filter/Strength 1.00");  // 0.996
+  settle();
+  click(first.x + first.width + first.width / 2, first.y + first.height / 2);
+  EXPECT_THAT(newest_of(4).summary, EndsWith("beta 0"));
 }
 
 TEST_F(StrengthsWindow, AFoldedPanelEndsTheTrial) {

@@ -37,7 +37,7 @@ void draw_hint(const StrengthStrip::Picture& picture, const GlImage* image) {
   ImGui::EndTooltip();
 }
 
-// Returns whether the user chooses it.
+// Returns whether the user chooses it. Needs: an id of its own is pushed, as texts may be equal.
 bool draw_picture(const StrengthStrip::Picture& picture, const GlImage* image, float width,
                   bool is_in_force) {
   const std::string text = strength_text(picture.strength);
@@ -45,7 +45,7 @@ bool draw_picture(const StrengthStrip::Picture& picture, const GlImage* image, f
                        static_cast<float>(kStrengthPictureSize.width);
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const float line = ImGui::GetTextLineHeight();
-  const bool is_chosen = ImGui::InvisibleButton(text.c_str(), {width, height + line});
+  const bool is_chosen = ImGui::InvisibleButton("picture", {width, height + line});
   note_place((image ? "Strength " : "Waits for strength ") + text);
   ImDrawList* const list = ImGui::GetWindowDrawList();
   const ImVec2 high{low.x + width, low.y + height};
@@ -115,8 +115,10 @@ void StrengthPictures::draw_row(Workspace& workspace, const PresetInForce& shown
     const StrengthStrip::Picture& picture = strip.pictures()[i];
     if (i > 0) ImGui::SameLine();
     const bool is_in_force = std::abs(picture.strength - shown.strength) < 1e-5;
+    ImGui::PushID(static_cast<int>(i));
     if (draw_picture(picture, image_of(picture, i), width, is_in_force))
       chosen = static_cast<int>(i);
+    ImGui::PopID();
   }
   if (!chosen) return;
   const Status done = strip.choose(*chosen, *workspace.document());

@@ -95,7 +95,8 @@ void write_preset(const Preset& preset, bool is_own, const Document* document, J
 
 void write_preset_in_force(const PresetInForce& shown, JsonWriter& json) {
   json.open().text("name", shown.preset.name).number("strength", shown.strength);
-  json.text("word", std::string(strength_word(shown.strength))).close();
+  json.text("word", std::string(strength_word(shown.strength)));
+  json.flag("hasTrial", Document::has_trial(shown.preset)).close();
 }
 
 void write_presets(const Document* document, JsonWriter& json) {

@@ -44,7 +44,7 @@ for (const colorScheme of ["dark", "light"] as const)
           await visit.openSession();
           const pictures = [0.33, 0.67, 1].map((strength) => ({ strength, word: "most", number: 0 }));
           await visit.change({
-            preset: { name: "Sharpen all", strength: 1, word: "all" },
+            preset: { name: "Sharpen all", strength: 1, word: "all", hasTrial: true },
             strengths: { preset: "Sharpen all", trial: "trying strength 0.33", pictures },
           });
           await visit.page.getByRole("group", { name: "Pictures of strengths" }).waitFor();

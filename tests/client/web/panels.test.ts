@@ -127,7 +127,7 @@ test("PresetsHaveAStrength", () =>
   bench.visitSession(async (visit) => {
     await visit.page.getByRole("combobox", { name: "Presets" }).selectOption("Sharpen all");
     await visit.sent("preset Sharpen all 1");
-    await visit.change({ preset: { name: "Sharpen all", strength: 1, word: "all" } });
+    await visit.change({ preset: { name: "Sharpen all", strength: 1, word: "all", hasTrial: true } });
     await visit.page.getByText("all of the preset").waitFor();
     await slider(visit, "Strength of the preset").fill("500");
     await visit.sent("preview preset Sharpen all 0.5");
@@ -141,7 +141,7 @@ const strengths = (numbers: [number, number, number], trial = "") => ({
   pictures: [0.33, 0.67, 1].map((strength, i) => ({ strength, word: ["a little", "most", "all"][i]!, number: numbers[i]! })),
 });
 
-const kAllOfSharpen = { preset: { name: "Sharpen all", strength: 1, word: "all" } };
+const kAllOfSharpen = { preset: { name: "Sharpen all", strength: 1, word: "all", hasTrial: true } };
 const kRedDot =
   "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8BQDwAEhQGAhKmMIQAAAABJRU5ErkJggg==";
 
@@ -190,11 +190,21 @@ test("ViewersHaveNoPicturesOfStrengths", () =>
     await button.waitFor({ state: "detached" });
   }));
 
+test("PresetWhoseStrengthsCannotBeTriedHasNoPicturesOfThem", () =>
+  bench.visitSession(async (visit) => {
+    await visit.change(kAllOfSharpen);
+    const button = visit.page.getByRole("button", { name: "Compare strengths" });
+    await button.waitFor();
+    await visit.change({ preset: { ...kAllOfSharpen.preset, hasTrial: false } });
+    await button.waitFor({ state: "detached" });
+    await slider(visit, "Strength of the preset").waitFor();
+  }));
+
 test("PresetBoxSaysWhatTheSessionHas", () =>
   bench.visitSession(async (visit) => {
     const box = visit.page.getByRole("combobox", { name: "Presets" });
     await box.selectOption("Sharpen all");
-    await visit.change({ preset: { name: "Sharpen all", strength: 1, word: "all" } });
+    await visit.change({ preset: { name: "Sharpen all", strength: 1, word: "all", hasTrial: true } });
     await slider(visit, "Strength of the preset").waitFor();
     await visit.change({ preset: null });
     await slider(visit, "Strength of the preset").waitFor({ state: "detached" });
@@ -217,7 +227,7 @@ test("OwnPresetIsKeptChosenAndDeleted", () =>
     await visit.sent("preset_keep faint lines");
     await visit.change({
       presets: [{ name: "faint lines", description: "Your own", changes: true, own: true }, ...snapshot.presets],
-      preset: { name: "faint lines", strength: 1, word: "all" },
+      preset: { name: "faint lines", strength: 1, word: "all", hasTrial: true },
     });
     await panel.getByRole("slider", { name: "Strength of the preset" }).waitFor();
     assert.equal(await panel.getByRole("combobox", { name: "Presets" }).inputValue(), "faint lines");

@@ -71,7 +71,7 @@ function Presets({ document, presets, preset, strengths }: PresetProps) {
             onMove={(value) => link.send(command.preview(command.preset(preset.name, value)))}
             onDone={(value) => link.send(command.preset(preset.name, value))}
           />
-          {!disabled && <StrengthPictures preset={preset} strengths={strengths} />}
+          {!disabled && preset.hasTrial && <StrengthPictures preset={preset} strengths={strengths} />}
         </>
       )}
     </>

@@ -87,6 +87,8 @@ export interface PresetInForce {
   strength: number;
   /** "a little", "half", "most", "all". */
   word: string;
+  /** Its strengths can be compared by pictures. */
+  hasTrial: boolean;
 }
 
 export interface Strengths {
