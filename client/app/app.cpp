@@ -152,9 +152,9 @@ void App::show_look() {
       "no font here has some letters of this script; they are drawn as boxes: " + missing);
 }
 
-bool App::is_picture_settled() const {
+bool App::is_picture_fine() const {
   const Document* const document = workspace_->document();
-  return document == nullptr || document->is_picture_settled();
+  return document == nullptr || document->is_picture_fine();
 }
 
 bool App::may_close() {
@@ -326,9 +326,13 @@ Result<Image> App::picture_without_rings() {
 }
 
 void App::save_picture_at_rest(std::chrono::steady_clock::time_point now) {
-  if (!wanted_picture_ || (!is_surface_at_rest() && now < wanted_picture_->until)) return;
+  if (!wanted_picture_) return;
+  workspace_->want_picture();
+  const bool is_ready = is_surface_at_rest() && workspace_->check_picture().is_ok();
+  if (!is_ready && now < wanted_picture_->until) return;
   const std::filesystem::path file = std::exchange(wanted_picture_, std::nullopt)->file;
-  const Result<Image> picture = picture_without_rings();
+  const Status checked = workspace_->check_picture();
+  const Result<Image> picture = checked.is_ok() ? picture_without_rings() : checked;
   const Status written = picture.is_ok() ? write_png(*picture, file) : picture.status();
   if (!written.is_ok()) return workspace_->log.failure("screenshot", written);
   std::error_code ignored;

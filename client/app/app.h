@@ -52,7 +52,7 @@ class App {
   double seconds_to_wait(int pictures);
   bool may_draw();
   bool may_close();
-  bool is_picture_settled() const;
+  bool is_picture_fine() const;
   std::string title() const;
   void show_title();
   WindowLook look_of(const Preferences& preferences) const;

@@ -61,9 +61,9 @@ Status App::update_surface(std::chrono::steady_clock::time_point now) {
   RETURN_IF_ERROR(workspace_->look());
   Shown next = next_shown();
   if (!(next == shown_)) changed_at_ = now;
-  next.is_smooth = !renderer_->has_rough_pictures() ||
-                   (next == shown_ &&
-                    (shown_.is_smooth || (is_picture_settled() && now - changed_at_ >= kRest)));
+  next.is_smooth =
+      !renderer_->has_rough_pictures() ||
+      (next == shown_ && (shown_.is_smooth || (is_picture_fine() && now - changed_at_ >= kRest)));
   if (next == shown_ || keeps_raw_picture()) return Status::ok();
   shown_ = std::move(next);
   return draw_surface(now);
@@ -105,7 +105,7 @@ bool App::is_slower_than_moving() const {
 
 // Whether all is drawn, as far as it is here.
 bool App::is_surface_at_rest() const {
-  return is_picture_settled() && (!shows_surface() || (shown_.is_smooth && next_shown() == shown_));
+  return is_picture_fine() && (!shows_surface() || (shown_.is_smooth && next_shown() == shown_));
 }
 
 // The raw scan's picture stays until that of its session is as fine, or the user turns it.

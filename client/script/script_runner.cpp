@@ -133,6 +133,7 @@ Status ScriptRunner::run_export(const ScriptLine& line) {
 
 // Waits for all detail that the picture can have.
 Status ScriptRunner::finish_picture() {
+  workspace_.want_picture();
   RETURN_IF_ERROR(update());
   return update_document_until([](const Document& of) { return of.is_picture_settled(); },
                                "drawing");

@@ -23,14 +23,22 @@ class FrontService : public testing::Test {
   using Json = nlohmann::json;
   using milliseconds = std::chrono::milliseconds;
 
+  /// `preferences`: file in the server's folder; empty: nothing is kept.
   explicit FrontService(
-      std::unique_ptr<PageRenderer> renderer = std::make_unique<NullPageRenderer>())
-      : renderer_(std::move(renderer)) {
+      std::unique_ptr<PageRenderer> renderer = std::make_unique<NullPageRenderer>(),
+      const std::string& preferences = "")
+      : renderer_(std::move(renderer)), options_(options_with(preferences)) {
     EXPECT_TRUE(owner_.import_scan(write_sphere(server_.folder, 4), "ball", {5, 0}, {}).is_ok());
     EXPECT_TRUE(owner_.open_session({"ball", "work", {5, 0}}).is_ok());
   }
 
   static void SetUpTestSuite() { ::setenv("OMP_WAIT_POLICY", "passive", 0); }
+
+  WorkspaceOptions options_with(const std::string& preferences) const {
+    WorkspaceOptions options;
+    if (!preferences.empty()) options.preferences = server_.folder / preferences;
+    return options;
+  }
 
   FrontHost host() {
     FrontHost host;
@@ -126,7 +134,8 @@ class FrontService : public testing::Test {
   std::map<uint64_t, std::string> strengths_;  // addresses of small pictures, by number
   std::function<void()> work_;
   std::function<void()> meanwhile_;  // what happens while a script waits
-  Front front_{*renderer_, Preferences(), WorkspaceOptions{}, host()};
+  WorkspaceOptions options_;
+  Front front_{*renderer_, Preferences(), options_, host()};
 };
 
 }  // namespace burnish

@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
 
 #include "client/model/workspace/session_pictures.h"
 #include "client/raster/raster_page_renderer.h"
+#include "common/base/text_lines.h"
 #include "common/generate/generate.h"
 #include "common/mesh/io/mesh_io.h"
 #include "tests/system/front_service.h"
@@ -16,7 +18,7 @@ using testing::HasSubstr;
 
 class StrengthsOfThePage : public FrontService {
  protected:
-  StrengthsOfThePage() : FrontService(std::make_unique<RasterPageRenderer>(1)) {}
+  StrengthsOfThePage() : FrontService(std::make_unique<RasterPageRenderer>(1), "window.toml") {}
 
   /// Opens a session over a noisy tablet. `preset`: "NAME STRENGTH".
   void open_with(const std::string& preset) {
@@ -55,6 +57,21 @@ class StrengthsOfThePage : public FrontService {
   bool is_trying() {
     line("strengths open");
     return until([this] { return shown().is_trying(); });
+  }
+
+  /// Opens the strip, and ticks until the picture on the screen is of another strength.
+  bool shows_another_than(const Image& before) {
+    line("strengths open");
+    return until([&] { return difference(before, drawn()) > 0.25; });
+  }
+
+  /// Has the picture of the session kept, and returns the file's bytes.
+  std::string kept_picture() {
+    Workspace& workspace = front_.workspace();
+    workspace.keep_session_picture();
+    const auto file =
+        picture_path(workspace.picture_folder(), workspace.preferences.recent.front());
+    return read_text_file(file).value();
   }
 
   bool has_closed() {
@@ -142,6 +159,61 @@ TEST_F(StrengthsOfThePage, TheViewSaysWhatItTries) {
   EXPECT_EQ(strip().trial_text(), "trying strength 0.33");
   EXPECT_FALSE(shown().is_settled());
   EXPECT_EQ(shown().beta(), 0) << "sliders stay";
+}
+
+// The server may take the preview and its end at once, or hear of neither.
+TEST_F(StrengthsOfThePage, ATrialThatEndsAtOnceLeavesTheSessionAtRest) {
+  open_with("Soften 1");
+  ASSERT_TRUE(is_trying());
+  line("strengths close");
+  ASSERT_TRUE(rests());
+  line("strengths open");
+  EXPECT_TRUE(has_all());
+}
+
+TEST_F(StrengthsOfThePage, ASavedPictureIsNeverOfATrial) {
+  open_with("Sharpen all 1");
+  const Image before = drawn();
+  ASSERT_TRUE(shows_another_than(before));
+  meanwhile_ = [this] { front_.tick(std::chrono::steady_clock::now()); };
+  line("picture one.png");
+  EXPECT_FALSE(strip().is_open());
+  EXPECT_FALSE(shown().is_picture_settled());
+  EXPECT_TRUE(downloads_.empty());
+  ASSERT_TRUE(until([this] { return downloads_.contains("one.png"); }));
+  EXPECT_LT(difference(before, drawn()), 0.1);
+}
+
+TEST_F(StrengthsOfThePage, ThePictureThatIsKeptOfTheSessionIsNeverOfATrial) {
+  open_with("Sharpen all 1");
+  const std::string before = kept_picture();
+  ASSERT_TRUE(shows_another_than(drawn()));
+  EXPECT_EQ(kept_picture(), before) << "while it is tried";
+  hear({{"kind", "visible"}, {"is", false}});
+  EXPECT_FALSE(shown().is_trying());
+  EXPECT_EQ(kept_picture(), before) << "right after its end";
+}
+
+TEST_F(StrengthsOfThePage, ARefusedEditTakesThePicturesAway) {
+  open_with("Soften 1");
+  line("strengths open");
+  ASSERT_TRUE(has_all());
+  shown().commit(SetGradientScale{-1});
+  EXPECT_TRUE(has_closed());
+  EXPECT_EQ(shown().refusals(), 1u);
+}
+
+TEST_F(StrengthsOfThePage, APresetOfBetaAndBandsHasNone) {
+  ::setenv("XDG_CONFIG_HOME", (server_.folder / "config").c_str(), 1);
+  open_with("Bring out an inscription 1");
+  EXPECT_EQ(snapshot_["preset"]["hasTrial"], true);
+  line("beta 0.5");
+  line("preset_keep both");
+  EXPECT_TRUE(until([this] { return snapshot_["preset"]["name"] == "both"; }));
+  EXPECT_EQ(snapshot_["preset"]["hasTrial"], false);
+  line("strengths open");
+  EXPECT_FALSE(strip().is_open());
+  ::unsetenv("XDG_CONFIG_HOME");
 }
 
 TEST_F(StrengthsOfThePage, AnEditOfTheUserEndsTheTrialAtOnce) {

@@ -85,6 +85,8 @@ void Document::send_together(const std::vector<Edit>& edits) {
   const Status sent = live_->apply(edits);
   if (!sent.is_ok()) {
     log_.failure("edit", sent);
+    ++refusals_;
+    is_told_taken_ = false;  // the session's values are not those of the edits
     return forget_strokes();
   }
   unacknowledged_ += edits.size();
@@ -261,7 +263,7 @@ bool Document::is_settled() const {
          !history_fetch_->running;
 }
 
-bool Document::is_picture_settled() const {
+bool Document::is_picture_fine() const {
   const bool has_seams = !finder_.seams() || *finder_.seams() == seams_now();
   return surface_->is_settled() && !finder_.is_finding() && has_seams && !is_fetching_values_ &&
          !is_fetching_over_;

@@ -122,6 +122,8 @@ class Document {
   bool is_trying() const { return !trial_.empty(); }
   /// Returns whether the newest frame shows the strength that is tried, and has settled.
   bool shows_trial() const;
+  /// Returns whether the newest frame may show a strength that is tried, or was.
+  bool may_show_trial() const { return is_trying() || is_trial_leaving_; }
   /// Returns the preset that the session's values are of: the one that was applied here last, or
   /// one of these or of presets() at full strength.
   std::optional<PresetInForce> preset_in_force(const std::vector<Preset>& own) const;
@@ -217,6 +219,7 @@ class Document {
   bool is_moving() const { return is_moving_; }
   uint64_t edits_known() const { return edits_known_; }  ///< of the session, on disk
   size_t unacknowledged() const { return unacknowledged_; }
+  uint64_t refusals() const { return refusals_; }            ///< of edits and previews, so far
   double shown_after_ms() const { return shown_after_ms_; }  ///< delay of our last edit; 0: none
   const ProgressReport& progress() const { return progress_; }
   bool is_viewer() const { return welcome_.role == SessionRole::kViewer; }
@@ -227,7 +230,9 @@ class Document {
   /// Returns true if every edit is applied and shown, in the surface, the values and the history.
   bool is_settled() const;
   /// Returns true if the picture of the last look() is as fine as it will become.
-  bool is_picture_settled() const;
+  bool is_picture_fine() const;
+  /// Returns true if it also shows the session's values, and no trial.
+  bool is_picture_settled() const { return is_picture_fine() && !may_show_trial(); }
   /// Returns true if the session has ended.
   bool has_ended() const { return link_ == LinkState::kEnded; }
 
@@ -319,6 +324,7 @@ class Document {
   bool is_moving_ = false;
   ProgressReport progress_;
   size_t unacknowledged_ = 0;
+  uint64_t refusals_ = 0;
   uint64_t edits_known_ = 0;  // the session's edits on disk
   HistoryState told_;         // the newest values of the session
   bool is_told_taken_ = true;

@@ -21,7 +21,8 @@ void Document::update(bool draws) {
   stats_ = news.stats;
   unacknowledged_ = news.unacknowledged;
   shows_previews_ = news.shows_previews;
-  is_trial_leaving_ &= !shows_previews_ && link_ == LinkState::kLive;
+  const bool shows_values = link_ == LinkState::kLive && shows_previews_ && stats_.frame.settled;
+  is_trial_leaving_ &= !shows_values;
   surface_->take(news);
   if (!draws) surface_->take_arrivals();
   for (const LiveEvent& event : news.events) handle(event);
@@ -107,6 +108,7 @@ void Document::handle(const LiveEvent& event) {
                  },
                  [&](const EditsRefused& refused) {
                    log_.failure("edit refused", without_ids(refused));
+                   ++refusals_;
                    is_told_taken_ = false;  // the session's values are not those sent
                    undo_steps_.clear();     // it counts edits that the server does not have
                    end_trial();

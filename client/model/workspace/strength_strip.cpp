@@ -51,13 +51,14 @@ bool StrengthStrip::may_begin(const Document& document) const {
 bool StrengthStrip::may_go_on(const Document& document, const Viewport& viewport) const {
   if (document.link() != LinkState::kLive || document.is_viewer()) return false;
   if (!has_begun()) return true;
-  return document.edits_known() <= edits_ && *seen_ == seen_in(document, viewport) &&
-         document.is_trying() == is_tried();
+  return document.edits_known() <= edits_ && document.refusals() == refusals_ &&
+         *seen_ == seen_in(document, viewport) && document.is_trying() == is_tried();
 }
 
 void StrengthStrip::begin(const Document& document, const Viewport& viewport) {
   seen_ = seen_in(document, viewport);
   edits_ = document.edits_known();
+  refusals_ = document.refusals();
 }
 
 void StrengthStrip::follow(Document& document, Viewport& viewport) {

@@ -21,7 +21,8 @@ std::array<double, 3> strengths_beside(double strength);
 /// Three small pictures of what the user looks at, at three strengths of the preset in force. The
 /// session shows each strength until its picture has settled, as a drag would; so a picture shows
 /// what its strength gives, whatever else moves the surface. Closes by itself when the user does
-/// something else or looks elsewhere, when anybody edits, and when the link is lost.
+/// something else or looks elsewhere, when anybody edits, when an edit of the user is refused, and
+/// when the link is lost.
 class StrengthStrip {
  public:
   struct Picture {
@@ -80,6 +81,7 @@ class StrengthStrip {
   std::optional<size_t> next_;  // the picture that is waited for
   std::optional<Seen> seen_;    // absent: waits until the document has settled
   uint64_t edits_ = 0;          // of the session, that the pictures have seen or do not depend on
+  uint64_t refusals_ = 0;       // of the user's edits, before the pictures
   uint64_t last_number_ = 0;
 };
 

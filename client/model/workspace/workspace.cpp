@@ -30,11 +30,17 @@ void Workspace::on_picture(double ms, std::optional<double> surface_ms) {
 }
 
 Status Workspace::look() {
-  return document_ ? viewport.look(*document_) : Status::ok();
+  if (!document_) return Status::ok();
+  RETURN_IF_ERROR(viewport.look(*document_));
+  // The trial has left without a trace.
+  if (document_->picture_changes() == drawn_changes_) shows_trial_ &= document_->may_show_trial();
+  return Status::ok();
 }
 
 Status Workspace::draw() {
   is_drawn_ = document_ != nullptr;
+  shows_trial_ = document_ && document_->may_show_trial();
+  drawn_changes_ = document_ ? document_->picture_changes() : 0;
   if (document_) return viewport.draw(renderer_, *document_);
   if (!raw_) return Status::ok();
   DrawStyle style = style_of(*raw_);

@@ -152,7 +152,12 @@ class Workspace {
 
   /// Records how the picture looks, and that it is saved to a file.
   void record_picture(const std::filesystem::path& file);
-  /// Keeps a small picture of the open session, as it was drawn last.
+  /// Ends the trial of a strength: a picture that is to be saved shows the session's values. Call
+  /// it again until Document::is_picture_settled().
+  void want_picture() { strip.close(document_.get()); }
+  /// Fails: unavailable while the surface may still be that of a trial, as over a lost link.
+  Status check_picture() const;
+  /// Keeps a small picture of the open session, as it was drawn last. A trial is not kept.
   void keep_session_picture();
   /// Keeps the picture that was drawn last, if `strip` waits for it. Needs: it is at rest. Returns
   /// the small picture; null: none is waited for.
@@ -229,6 +234,8 @@ class Workspace {
   std::string document_server_;  // empty: the private one
   uint64_t pictures_begun_ = 0;
   bool is_drawn_ = false;           // the renderer's picture is that of the document
+  bool shows_trial_ = false;        // it may be of a strength that is tried
+  uint64_t drawn_changes_ = 0;      // the document's, as it was drawn
   std::filesystem::path raw_file_;  // the file that is read or shown raw; empty: none
   std::optional<RawScan> raw_;
   uint64_t raw_triangles_ = 0;  // of the raw scan that the document took over; 0: of none

@@ -186,12 +186,17 @@ std::filesystem::path Workspace::picture_folder() const {
 
 void Workspace::keep_session_picture() {
   if (!document_ || !is_drawn_ || picture_folder().empty() || preferences.recent.empty()) return;
-  if (document_->is_trying()) return;  // the picture is not of the session's values
+  if (shows_trial_) return;  // the picture is not of the session's values
   const auto image = renderer_.read_pixels();
   if (!image.is_ok()) return;
   const Status kept =
       keep_picture(picture_folder(), preferences.recent.front(), *image, preferences.recent);
   if (!kept.is_ok()) log.failure("picture of the session", kept);
+}
+
+Status Workspace::check_picture() const {
+  if (!document_ || !document_->may_show_trial()) return Status::ok();
+  return unavailable("the server has not ended the trial of a strength, and the picture shows it");
 }
 
 const StrengthStrip::Picture* Workspace::keep_strength_picture() {
@@ -293,7 +298,7 @@ void Workspace::take_early(Result<RawScan>& early) {
 }
 
 bool Workspace::keeps_raw_picture(const Camera& shown) const {
-  if (!document_ || document_->is_picture_settled()) return false;
+  if (!document_ || document_->is_picture_fine()) return false;
   Camera camera = viewport.camera;
   camera.scene_radius = shown.scene_radius;
   const CutStatus now = document_->surface().status();

@@ -74,7 +74,7 @@ Front::Time Front::tick(Time now) {
   keep_picture_now_and_then(now);
   const Time snapshot_at = std::min(say_snapshot(now), begun_at_ ? now + kDrawing : Time::max());
   if (!document && workspace_.activities().empty()) return snapshot_at;
-  const bool is_final = document && document->is_picture_settled() && shown_.is_smooth;
+  const bool is_final = document && document->is_picture_fine() && shown_.is_smooth;
   const bool becomes_finer = document && !begun_at_ && !is_final && is_visible_;
   return std::min(snapshot_at, now + (becomes_finer ? kFiner : kIdle));
 }
@@ -105,7 +105,7 @@ bool Front::is_at_rest(const Shown& next, Time now) const {
   if (!host_.set_smooth) return true;
   if (!(next == shown_)) return false;
   const Document* const document = workspace_.document();
-  const bool is_settled = !document || document->is_picture_settled();
+  const bool is_settled = !document || document->is_picture_fine();
   return shown_.is_smooth || (is_settled && now - changed_at_ >= kRest);
 }
 
@@ -159,7 +159,7 @@ void Front::keep_picture_now_and_then(Time now) {
 
 void Front::say_strength_picture() {
   const Document* const document = workspace_.document();
-  if (!document || !document->is_picture_settled() || !(next_shown() == shown_)) return;
+  if (!document || !document->is_picture_fine() || !(next_shown() == shown_)) return;
   if (!shown_.is_smooth) return;
   const StrengthStrip::Picture* const picture = workspace_.keep_strength_picture();
   if (!picture) return;

@@ -41,6 +41,7 @@ Status do_record(const FrontWords& line, FrontParts& parts) {
 }
 
 Status save_picture(const FrontParts& parts, const std::string& name) {
+  RETURN_IF_ERROR(parts.workspace.check_picture());
   RETURN_IF_ERROR(parts.workspace.draw());
   ASSIGN_OR_RETURN(const Image image, parts.renderer.read_pixels());
   parts.workspace.record_picture(name);
@@ -48,23 +49,32 @@ Status save_picture(const FrontParts& parts, const std::string& name) {
   return Status::ok();
 }
 
-/// Waits for all detail that the picture can have, as long as its session and its camera stay.
-void finish_picture(const Workspace& workspace, const FrontHost& host) {
+/// Waits until no trial is shown, and for all detail that the picture can have, as long as its
+/// session and its camera stay.
+void finish_picture(Workspace& workspace, const FrontHost& host) {
   static constexpr std::chrono::milliseconds kLook{20};
   static constexpr std::chrono::seconds kPatience{10};
   const auto end = std::chrono::steady_clock::now() + kPatience;
   const uint64_t begun = workspace.pictures_begun();
   const Camera camera = workspace.viewport.camera;
-  do host.wait(kLook);
-  while (workspace.document() && workspace.pictures_begun() == begun &&
-         workspace.viewport.camera == camera && !workspace.document()->is_picture_settled() &&
-         std::chrono::steady_clock::now() < end);
+  const auto waits = [&] {
+    const Document* const document = workspace.document();
+    if (!document || workspace.pictures_begun() != begun) return false;
+    if (std::chrono::steady_clock::now() >= end) return false;
+    const bool is_still = workspace.viewport.camera == camera;
+    return document->may_show_trial() || (is_still && !document->is_picture_settled());
+  };
+  do {
+    workspace.want_picture();
+    host.wait(kLook);
+  } while (waits());
 }
 
 Status take_picture(const FrontWords& line, FrontParts& parts) {
   RETURN_IF_ERROR(need_words(line, 1));
   std::string name = line.rest();
   if (!name.ends_with(".png")) name += ".png";
+  parts.workspace.want_picture();
   RETURN_IF_ERROR(parts.workspace.look());
   if (parts.workspace.document()->is_picture_settled()) return save_picture(parts, name);
   parts.host.begin([parts, name] {
