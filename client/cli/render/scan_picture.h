@@ -9,7 +9,7 @@
 
 namespace burnish {
 
-/// What colours the surface in a picture of a scan's file.
+/// Colours of the surface in a picture of a scan's file.
 enum class ScanColours {
   kIfAny,   ///< the scan's own, if it has some
   kNeeded,  ///< the scan's own

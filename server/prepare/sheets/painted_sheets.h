@@ -16,7 +16,7 @@ namespace burnish {
 /// How sheets are made from a scan's pictures.
 struct PaintedSheetsWish {
   double step = 1;  ///< of PageGrid, file units
-  /// Of the finest sheet, texels per file unit; positive.
+  /// Density of the finest sheet, texels per file unit; positive.
   double density_max = std::numeric_limits<double>::infinity();
   size_t sheets_max = kSheetsPerPageMax;  ///< the finest ones; at least 1
   std::function<void()> ask = [] {};      ///< as PageSheetsWish::ask

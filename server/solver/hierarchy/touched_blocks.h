@@ -8,7 +8,7 @@
 #include "server/prepare/prepared_mesh.h"
 #include "server/solver/hierarchy/hierarchy.h"
 
-// What other α of some cells touch, by blocks instead of single cells and rows (changed_parts.h). A
+// Blocks that other α of some cells touch, instead of single cells and rows (changed_parts.h). A
 // device makes a whole block as fast as a part of it, and the blocks that a block reaches are known
 // once the hierarchy is.
 
@@ -52,12 +52,12 @@ class BlockReach {
   struct Depth {
     // At the finest depth `all_part_blocks` counts those of cells that are no child, too.
     int32_t part_blocks = 0, all_part_blocks = 0, row_blocks = 0, cell_blocks = 0;
-    // Of blocks of parts.
+    // For each block of parts.
     Groups<int32_t> rows_of_parts;  // the rows that sum them
     Groups<int32_t> parts_of_rows;  // the inverse
     Groups<int32_t> above;          // parts of the depth above that sum them; none at the coarsest
     Groups<int32_t> below;          // the inverse, for each block of the depth above
-    // Of blocks of rows.
+    // For each block of rows.
     Groups<int32_t> rows_around;    // the rows of M⁻¹ that depend on these rows of S
     Groups<int32_t> cells_of_rows;  // the blocks of cells around them
   };

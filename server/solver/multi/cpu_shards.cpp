@@ -11,7 +11,7 @@ namespace burnish {
 
 namespace {
 
-/// What the shards of one backend share at a barrier.
+/// Barrier of the shards of one backend, and what they share at it.
 struct ShardBarrier {
   std::shared_ptr<const Shards> shards;
   LockStep& steps;

@@ -64,7 +64,7 @@ struct ShardOnDevice {
   DeviceArray<int32_t> border_to;    ///< and there, on the first shard's device
   SharedArray<double> border_stage;
   cudaEvent_t ready = nullptr;
-  // What the shard has arrived at the barrier with.
+  // The shard has arrived at the barrier with these.
   Stream* now = nullptr;
   void* vector = nullptr;
 

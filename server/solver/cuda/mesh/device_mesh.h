@@ -62,8 +62,8 @@ struct DeviceMesh {
   DevicePatches patches;
   DeviceArray<Curvature> curvature;
   DeviceArray<VertexPlace> evaluation;
-  /// What local new metrics touch, on the host. A shard has none: other shards change what it does
-  /// not know of. Nor has a mesh of one depth.
+  /// Says what local new metrics touch; on the host. A shard has none: other shards change what it
+  /// does not know of. Nor has a mesh of one depth.
   std::optional<BlockReach> reach;
 
   int64_t cells() const { return depths.back().view().cell_count; }

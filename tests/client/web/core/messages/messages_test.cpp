@@ -126,7 +126,7 @@ bool has_group(const google::protobuf::Message& message) {
   return false;
 }
 
-/// What bytes are read as, written again; none: they are refused.
+/// Reads bytes and writes what was read. None: they are refused.
 template <typename Message>
 std::optional<std::string> rewritten(const std::string& bytes) {
   Message message;
