@@ -2,26 +2,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "common/base/base64.h"
+
 namespace burnish {
 
 using Json = nlohmann::ordered_json;
 
 static constexpr int kPublicationVersion = 1;
-
-static std::string base64(const std::string& bytes) {
-  static constexpr char kDigits[] =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (size_t at = 0; at < bytes.size(); at += 3) {
-    const size_t count = std::min<size_t>(3, bytes.size() - at);
-    uint32_t three = 0;
-    for (size_t i = 0; i < 3; ++i)
-      three = three << 8 | (i < count ? static_cast<uint8_t>(bytes[at + i]) : 0);
-    for (size_t digit = 0; digit < 4; ++digit)
-      text += digit <= count ? kDigits[three >> (18 - 6 * digit) & 63] : '=';
-  }
-  return text;
-}
 
 static Json place_of(const Vec3d& point) {
   return {point.x(), point.y(), point.z()};
