@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <new>
+#include <optional>
 
 #include "common/base/limits.h"
 #include "common/picture/picture_formats.h"
@@ -34,6 +35,17 @@ Status read_picture_rows(std::span<const uint8_t> bytes, const std::string& name
   } catch (const std::bad_alloc&) {
     return resource_exhausted(name + ": not enough memory for its pixels");
   }
+}
+
+Result<PictureSize> read_picture_size(std::span<const uint8_t> bytes, const std::string& name) {
+  std::optional<PictureSize> size;
+  const auto begin = [&](const PictureSize& announced) {
+    size = announced;
+    return cancelled("the size is all");
+  };
+  const Status status = read_picture_rows(bytes, name, {begin, [](const PixelRun&) {}});
+  if (size) return *size;
+  return status;
 }
 
 }  // namespace burnish

@@ -43,4 +43,7 @@ struct PictureTaker {
 Status read_picture_rows(std::span<const uint8_t> bytes, const std::string& name,
                          const PictureTaker& taker);
 
+/// Returns what the header of a PNG or JPEG file announces. Fails: as read_picture_rows().
+Result<PictureSize> read_picture_size(std::span<const uint8_t> bytes, const std::string& name);
+
 }  // namespace burnish

@@ -8,6 +8,7 @@
 #include "common/base/atomic_file.h"
 #include "common/base/clock.h"
 #include "common/grid/depth_plan.h"
+#include "server/library/original_texels.h"
 #include "server/library/read_original.h"
 #include "server/library/scan_files.h"
 #include "server/library/scan_record.h"
@@ -120,6 +121,8 @@ Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& i
   if (!report(progress, "reading", 0)) return cancelled("the import was cancelled");
   LibraryBudget budget(memory_, folder_.scans(), options_.device_memory_bytes_max);
   RETURN_IF_ERROR(budget.ask_to_read(original, header.format));
+  ASSIGN_OR_RETURN(const CountedTexels texels,
+                   texels_of_original(original, header.format, header.name, budget, progress));
   ASSIGN_OR_RETURN(const auto mesh,
                    read_original(original, header.format, header.name, budget, progress));
   ASSIGN_OR_RETURN(auto prepared, prepare(mesh->view(), mesh,
@@ -134,9 +137,9 @@ Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& i
   RETURN_IF_ERROR(
       write_prepared_mesh(*prepared, staging.path() / "prepared" / prepared_name, progress));
   prepared.reset();  // pages need the memory
-  RETURN_IF_ERROR(build_pages({mesh->vertices, mesh->triangles, mesh->colours, scan.statistics},
-                              staging.path() / pages_file_name(),
-                              {options_.threads, &budget, budget.space()}, progress));
+  RETURN_IF_ERROR(build_pages(
+      {mesh->vertices, mesh->triangles, mesh->colours, scan.statistics, texels.for_pages()},
+      staging.path() / pages_file_name(), {options_.threads, &budget, budget.space()}, progress));
   RETURN_IF_ERROR(put_new(staging, scan, header, progress));
   ASSIGN_OR_RETURN(ScanInfo stored, find(id));
   return ImportOutcome{std::move(stored), false};

@@ -4,6 +4,7 @@
 
 #include "common/mesh/statistics/heard_statistics.h"
 #include "server/library/mesh_store.h"
+#include "server/library/original_texels.h"
 #include "server/library/read_original.h"
 #include "server/library/scan_record.h"
 #include "server/memory/library_budget.h"
@@ -83,13 +84,17 @@ Status MeshStore::make_pages(const std::string& id, const Progress& progress) {
   if (!report(progress, "reading", 0)) return cancelled("making pages was cancelled");
   RETURN_IF_ERROR(check_or_fetch(scan, progress));
   LibraryBudget budget(memory_, folder_.scans());
-  RETURN_IF_ERROR(budget.ask_to_read(folder / original_file_name(scan.format), scan.format));
-  ASSIGN_OR_RETURN(const auto mesh, read_original(folder / original_file_name(scan.format),
-                                                  scan.format, scan.name, budget, progress));
+  const fs::path original = folder / original_file_name(scan.format);
+  RETURN_IF_ERROR(budget.ask_to_read(original, scan.format));
+  ASSIGN_OR_RETURN(const CountedTexels texels,
+                   texels_of_original(original, scan.format, scan.name, budget, progress));
+  ASSIGN_OR_RETURN(const auto mesh,
+                   read_original(original, scan.format, scan.name, budget, progress));
   ASSIGN_OR_RETURN(const MeshStatistics statistics,
                    statistics_of(mesh->view(), budget.space(), progress));
-  return build_pages({mesh->vertices, mesh->triangles, mesh->colours, statistics}, pages_path(id),
-                     {options_.threads, &budget, budget.space()}, progress);
+  return build_pages(
+      {mesh->vertices, mesh->triangles, mesh->colours, statistics, texels.for_pages()},
+      pages_path(id), {options_.threads, &budget, budget.space()}, progress);
 }
 
 // The coarsest blocks are the last ones; a client begins with them.

@@ -19,6 +19,8 @@ LEVEL = [("--level-seams", "1")]
 VIEW = ["camera 0 0", "colour scan", "light unlit"]
 LIKE_VIEW = ["--view", "0,0", "--light", "unlit", "--size", "320x240"]
 WAVE = 12  # texels
+LARGE_SIDE, LARGE_WAVE = 2048, 5
+CLOSE_VIEW = ["camera 0 0 0.6 1.7 1.7 0", *VIEW[1:]]
 
 
 def make_scan(folder, vertices):
@@ -177,6 +179,20 @@ def check_sharpness(socket, page):
         return parts
 
 
+def check_close_view(socket, page):
+    """Returns the contrast of a large picture on few triangles, looked at closely, as check_sharpness() does."""
+    with tempfile.TemporaryDirectory(prefix="burnish-") as name:
+        folder = pathlib.Path(name)
+        packed = folder / "packed.zip"
+        fronts.run("filter", make_pattern(folder, 4, LARGE_SIDE, LARGE_WAVE), packed, "--beta", 1)
+        pattern = _contrast(decoded((folder / "skin.png").read_bytes()))
+        shown = _drawn_session(fronts.Server(socket, packed), page, folder, CLOSE_VIEW)
+        parts = {way: _contrast(picture) / pattern for way, picture in shown.items()}
+        for way, part in parts.items():
+            assert 0.7 < part < 1.05, f"{way} shows {part:.2f} of the pattern's contrast"
+        return parts
+
+
 def _drawn_files(scan, packed, folder):
     """Returns the pictures that are drawn without a server: of a folder's files, and of an archive."""
     out = {way: folder / f"{way}.png" for way in ("render", "render of an archive", "Python")}
@@ -186,14 +202,14 @@ def _drawn_files(scan, packed, folder):
     return {way: decoded(file.read_bytes()) for way, file in out.items()}
 
 
-def _drawn_session(server, page, folder):
+def _drawn_session(server, page, folder, view=VIEW):
     ways = {"script": server.shown_by_script}
     if page:
         ways["page"] = functools.partial(server.shown_by_page, page)
     shown = {}
     for way, show in ways.items():
         with server.opened() as session:
-            show(session, VIEW, folder / f"{way}.png")
+            show(session, view, folder / f"{way}.png")
         shown[way] = decoded((folder / f"{way}.png").read_bytes())
     return shown
 
@@ -205,9 +221,8 @@ def _contrast(picture):
     return middle.astype(float).mean((0, 2)).std()
 
 
-def make_pattern(folder):
-    """Writes a square with a picture that is finer than its triangles. Returns the OBJ's file."""
-    side = 8
+def make_pattern(folder, side=8, texels=SIDE, wave=WAVE):
+    """Writes a square of 2 side² triangles with a picture of texels². Returns the OBJ's file."""
     lines = ["mtllib skin.mtl", "usemtl skin"]
     lines += [f"v {x} {y} {x * y % 3 / 9}" for y in range(side + 1) for x in range(side + 1)]
     lines += [f"vt {x / side} {y / side}" for y in range(side + 1) for x in range(side + 1)]
@@ -216,12 +231,12 @@ def make_pattern(folder):
             a = y * (side + 1) + x + 1
             b, c, d = a + 1, a + side + 2, a + side + 1
             lines += [f"f {a}/{a} {b}/{b} {c}/{c}", f"f {a}/{a} {c}/{c} {d}/{d}"]
-    wave = 120 + 60 * np.sin(np.arange(SIDE) * (2 * np.pi / WAVE))
-    texels = np.broadcast_to(wave[None, :, None], (SIDE, SIDE, 3)).astype(np.uint8)
+    row = 120 + 60 * np.sin(np.arange(texels) * (2 * np.pi / wave))
+    picture = np.broadcast_to(row[None, :, None], (texels, texels, 3)).astype(np.uint8)
     scan = folder / "scan.obj"
     scan.write_text("\n".join(lines) + "\n", encoding="utf-8")
     (folder / "skin.mtl").write_text("newmtl skin\nmap_Kd skin.png\n", encoding="utf-8")
-    (folder / "skin.png").write_bytes(encoded(texels))
+    (folder / "skin.png").write_bytes(encoded(picture))
     return scan
 
 

@@ -129,8 +129,7 @@ class ViewBaker {
     const uint32_t picture = shown_picture(surface_.textures, triangle);
     if (picture == kNoTexture || !tiles_.has(picture)) return kTexelsPerEdge * kTexelsPerEdge / 2;
     const TiledLevel& level = tiles_.levels(picture).front();
-    return area_between(corners_on_picture(surface_.textures, triangle)) * level.width *
-           level.height;
+    return area_on_picture(surface_.textures, triangle) * level.width * level.height;
   }
 
   Result<std::shared_ptr<const PageTexture>> texture_of(const PageMesh& mesh,

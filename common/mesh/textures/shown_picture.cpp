@@ -45,6 +45,13 @@ std::array<Eigen::Vector2d, 3> corners_on_picture(const SurfaceTextures& texture
   return corners;
 }
 
+double area_on_picture(const SurfaceTextures& textures, uint32_t triangle) {
+  const std::array<Eigen::Vector2d, 3> corners = corners_on_picture(textures, triangle);
+  const Eigen::Vector2d a = corners[1] - corners[0];
+  const Eigen::Vector2d b = corners[2] - corners[0];
+  return std::abs(a.x() * b.y() - a.y() * b.x()) / 2;
+}
+
 bool can_be_left_out(const Status& status, const SurfaceTextures& textures) {
   if (status.code() == StatusCode::kUnimplemented) return true;
   return !textures.refuses_damage && status.code() != StatusCode::kCancelled &&

@@ -20,6 +20,10 @@ uint32_t shown_picture(const SurfaceTextures& textures, uint32_t triangle);
 std::array<Eigen::Vector2d, 3> corners_on_picture(const SurfaceTextures& textures,
                                                   uint32_t triangle);
 
+/// Returns how much of its picture a triangle shows: 1 is all of it, more where it repeats.
+/// Needs: shown_picture().
+double area_on_picture(const SurfaceTextures& textures, uint32_t triangle);
+
 /// Returns whether a scan without this picture is still a scan. `status`: why it cannot be read.
 bool can_be_left_out(const Status& status, const SurfaceTextures& textures);
 

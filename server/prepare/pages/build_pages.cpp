@@ -13,13 +13,15 @@ namespace burnish {
 
 namespace {
 
-constexpr double kReplaceShare = 0.45;  // of the time of a level; writing takes the rest
+constexpr double kReplaceShare = 0.45;             // of the time of a level; writing takes the rest
+constexpr size_t kTrianglesForSimplifying = 1024;  // of a page: smaller ones are mostly border
 
 /// One level of the surface while its pages are made.
 struct Level {
   int number = 0;                    ///< 0: the scan itself
   ScratchArray<Triangle> triangles;  ///< vertices of the scan
   ScratchArray<PageId> finer;        ///< per triangle, rising; empty at level 0
+  ScratchArray<float> texels;        ///< per triangle, of pictures; empty: they do not matter
   double vertices_per_triangle = 0.5;
 };
 
@@ -62,14 +64,18 @@ uint64_t join_vertices(const PagesInput& scan, std::span<Triangle> triangles,
 Level make_level_0(const PagesInput& scan, const ScratchSpace& space, const LoopPart& part) {
   Level level;
   level.triangles = copy_to(space, scan.triangles);
+  level.texels = copy_to(space, scan.texels.of_triangle);
   const uint64_t joined =
       join_vertices(scan, {level.triangles.data(), level.triangles.size()}, space, part);
   size_t kept = 0;
   for_each_heard(part, level.triangles.size(), [&](size_t i) {
     const Triangle t = level.triangles[i];
-    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) level.triangles[kept++] = t;
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return;
+    if (!level.texels.empty()) level.texels[kept] = level.texels[i];
+    level.triangles[kept++] = t;
   });
   level.triangles.truncate(kept);
+  if (!level.texels.empty()) level.texels.truncate(kept);
   const auto referenced =
       static_cast<double>(scan.statistics.vertices - scan.statistics.unreferenced_vertices) -
       static_cast<double>(joined);
@@ -121,9 +127,10 @@ class PagesBuilder {
  private:
   // Returns the next level, or one without triangles after the root.
   Result<Level> make_level(const Level& level, PageFileWriter& file, LevelWriter& writer) {
-    const PageGroups pages = cut_pages({level.triangles, vertices_.positions, vertices_.grid.bits,
-                                        level.number, level.vertices_per_triangle},
-                                       space_, part());
+    const PageGroups pages =
+        cut_pages({level.triangles, vertices_.positions, vertices_.grid.bits, level.number,
+                   level.vertices_per_triangle, PageTexels{level.texels, scan_.texels.of_page_max}},
+                  space_, part());
     const CutLevel cut = {level.triangles, vertices_.joined, pages};
     const ScratchArray<uint8_t> shared = find_shared_vertices(cut, space_, part());
     report_.levels.push_back({level.triangles.size(), pages.count()});
@@ -135,7 +142,8 @@ class PagesBuilder {
     Replacements replacements(space_);
     const PageWork replacing = work(kReplaceShare), writing = work(1 - kReplaceShare);
     if (pages.count() > 1) {
-      ASSIGN_OR_RETURN(replacements, replace_pages(cut, vertices_, shared, space_, replacing));
+      const auto replace = are_small_for_texels(level, pages) ? keep_pages : replace_pages;
+      ASSIGN_OR_RETURN(replacements, replace(cut, vertices_, shared, space_, replacing));
     }
     times_.end("simplifying");
     PagesReport::Level& report = report_.levels.back();
@@ -146,6 +154,11 @@ class PagesBuilder {
     RETURN_IF_ERROR(writer.write(to_draw, replacements, writing, space_, report));
     times_.end("writing");
     return make_coarser(level, report, replacements, first_page, space_);
+  }
+
+  static bool are_small_for_texels(const Level& level, const PageGroups& pages) {
+    return !level.texels.empty() &&
+           level.triangles.size() < kTrianglesForSimplifying * pages.count();
   }
 
   // Work between the pages.

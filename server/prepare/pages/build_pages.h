@@ -18,7 +18,8 @@ struct PagesOptions {
 
 /// Writes the page file of a scan (common/pages/page_format.h). Level 0 is the scan, without the
 /// triangles that name a vertex twice, which nobody can see. Each coarser level has about half the
-/// triangles; the root is one page.
+/// triangles; the root is one page. Where pictures make the pages of level 0 small, level 1 has the
+/// same triangles on fuller pages.
 /// Needs: a valid mesh (validate()) with its statistics.
 /// Asks the budget before it takes memory.
 /// Fails: resource_exhausted naming bytes and limit; cancelled; what writing says. Then the path is

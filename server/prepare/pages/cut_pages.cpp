@@ -21,6 +21,7 @@ KdRule rule_of(const LevelToCut& level) {
       std::min(kTrianglesWanted, kVerticesWanted / std::max(level.vertices_per_triangle, 0.01)));
   rule.ratio = kRatios[level.level % 2];
   rule.triangles = level.triangles;
+  rule.texels = level.texels;
   return rule;
 }
 

@@ -6,6 +6,7 @@
 #include "common/base/heard_loop.h"
 #include "common/base/scratch_array.h"
 #include "common/base/types.h"
+#include "server/prepare/pages/page_texels.h"
 
 namespace burnish {
 
@@ -27,12 +28,14 @@ struct LevelToCut {
   int bits = 0;                        ///< of the grid
   int level = 0;                       ///< moves the cuts, so that borders are not borders again
   double vertices_per_triangle = 0.5;  ///< expected of a page; decides how full pages get
+  PageTexels texels = {};
 };
 
-/// Cuts a level into pages of at most kPageVerticesMax vertices and kPageTrianglesMax triangles.
-/// Triangles are first dealt into runs of a Morton curve, then each run is halved again and again
-/// across the longest side of its box. Pages come in this order; the triangles of a page rise.
-/// Deterministic: the same groups for any number of threads. Throws: WorkCancelled.
+/// Cuts a level into pages of at most kPageVerticesMax vertices and kPageTrianglesMax triangles,
+/// and of as many texels as `texels` says. Triangles are first dealt into runs of a Morton curve,
+/// then each run is halved again and again across the longest side of its box. Pages come in this
+/// order; the triangles of a page rise. Deterministic: the same groups for any number of threads.
+/// Throws: WorkCancelled.
 PageGroups cut_pages(const LevelToCut& level, const ScratchSpace& space,
                      const LoopPart& part = kUnheardLoop);
 

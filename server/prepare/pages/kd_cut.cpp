@@ -33,7 +33,14 @@ bool KdCut::fits_page(std::span<const TriangleCentre> piece) const {
   for (const TriangleCentre& centre : piece)
     for (const uint32_t v : rule_.triangles[centre.triangle])
       if (locals.add(v) == LocalVertices::kFull) return false;
-  return true;
+  return fits_sheet(piece);
+}
+
+bool KdCut::fits_sheet(std::span<const TriangleCentre> piece) const {
+  if (!rule_.texels.matter() || piece.size() == 1) return true;
+  double texels = 0;
+  for (const TriangleCentre& centre : piece) texels += rule_.texels.of_triangle[centre.triangle];
+  return texels <= rule_.texels.of_page_max;
 }
 
 // Gives the first part a whole number of pages, so that pages come out full. Two pages have room to

@@ -13,6 +13,7 @@ struct KdRule {
   std::span<const Triangle> triangles;
   size_t triangles_wanted = 0;  ///< of a page
   double ratio = 0.5;           ///< how much of a piece goes to its first part
+  PageTexels texels = {};
 };
 
 /// Cuts pieces of a level in two until each fits a page.
@@ -30,6 +31,7 @@ class KdCut {
 
  private:
   bool fits_page(std::span<const TriangleCentre> piece) const;
+  bool fits_sheet(std::span<const TriangleCentre> piece) const;
   size_t size_of_first_part(size_t size) const;
 
   KdRule rule_;

@@ -7,6 +7,7 @@
 #include "common/base/types.h"
 #include "common/mesh/statistics/statistics.h"
 #include "common/pages/page_grid.h"
+#include "server/prepare/pages/page_texels.h"
 
 namespace burnish {
 
@@ -16,6 +17,7 @@ struct PagesInput {
   std::span<const Triangle> triangles;
   std::span<const Rgba8> colours;  ///< empty, or one per vertex
   const MeshStatistics& statistics;
+  PageTexels texels = {};
 };
 
 /// The vertices of a scan on the lattice of its pages.

@@ -23,7 +23,8 @@ constexpr uint64_t kFileBytesPerVertex = 5;
 constexpr uint64_t kFileBytesPerColour = 8;
 
 uint64_t scan_bytes(const PagesInput& scan) {
-  return scan.vertices.size_bytes() + scan.triangles.size_bytes() + scan.colours.size_bytes();
+  return scan.vertices.size_bytes() + scan.triangles.size_bytes() + scan.colours.size_bytes() +
+         2 * scan.texels.of_triangle.size_bytes();
 }
 
 // Of vertices: place, joined vertex, normal, colour, page, mark.

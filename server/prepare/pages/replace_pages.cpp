@@ -25,7 +25,15 @@ class Replacer {
  public:
   Replacer(const CutLevel& level, const PageVertices& vertices, std::span<const uint8_t> shared,
            Replacements& made)
-      : level_(level), vertices_(vertices), shared_(shared), made_(made) {}
+      : level_(level), vertices_(vertices), shared_(shared), made_(made) {
+    made_.of_pages.resize(level.pages.count());
+  }
+
+  Status replace_all(SimplifyBy by, const PageWork& work) {
+    std::vector<size_t> all(made_.of_pages.size());
+    std::iota(all.begin(), all.end(), 0);
+    return replace(all, by, work);
+  }
 
   /// Replaces these pages. Fails: cancelled.
   Status replace(std::span<const size_t> pages, SimplifyBy by, const PageWork& work) {
@@ -74,15 +82,20 @@ class Replacer {
 
 }  // namespace
 
+Result<Replacements> keep_pages(const CutLevel& level, const PageVertices& vertices,
+                                std::span<const uint8_t> shared, const ScratchSpace& space,
+                                const PageWork& work) {
+  Replacements made(space);
+  RETURN_IF_ERROR(Replacer(level, vertices, shared, made).replace_all(SimplifyBy::kKeep, work));
+  return made;
+}
+
 Result<Replacements> replace_pages(const CutLevel& level, const PageVertices& vertices,
                                    std::span<const uint8_t> shared, const ScratchSpace& space,
                                    const PageWork& work) {
   Replacements made(space);
-  made.of_pages.resize(level.pages.count());
   Replacer replacer(level, vertices, shared, made);
-  std::vector<size_t> all(made.of_pages.size());
-  std::iota(all.begin(), all.end(), 0);
-  RETURN_IF_ERROR(replacer.replace(all, SimplifyBy::kCollapse, work));
+  RETURN_IF_ERROR(replacer.replace_all(SimplifyBy::kCollapse, work));
   for (const SimplifyBy by : {SimplifyBy::kCollapseMore, SimplifyBy::kCluster, SimplifyBy::kDrop}) {
     if (replacer.is_small_enough()) break;
     std::vector<size_t> stuck;

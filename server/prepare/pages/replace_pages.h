@@ -33,6 +33,12 @@ struct Replacements {
 /// How many triangles a level has at most for each of the finer one. Levels would not end without.
 inline constexpr double kLevelShrinkMax = 0.75;
 
+/// Replaces each page of a level by its own triangles, so that fuller pages follow.
+/// Deterministic: the same bits for any number of threads. Fails: cancelled.
+Result<Replacements> keep_pages(const CutLevel& level, const PageVertices& vertices,
+                                std::span<const uint8_t> shared, const ScratchSpace& space,
+                                const PageWork& work);
+
 /// Replaces each page of a level by about half its triangles. Where collapsing edges does not bring
 /// the level down to kLevelShrinkMax, pages that hardly shrink are clustered, and where that is not
 /// enough they lose their small triangles.

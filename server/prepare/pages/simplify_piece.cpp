@@ -39,6 +39,7 @@ SimplePiece simplify_once(const PagePiece& piece, SimplifyBy by, size_t wanted) 
 }  // namespace
 
 SimplePiece simplify_piece(const PagePiece& piece, SimplifyBy by) {
+  if (by == SimplifyBy::kKeep) return {piece.triangles};
   const size_t wanted = triangles_wanted(piece, by);
   if (by == SimplifyBy::kDrop) return drop_small_triangles(piece, wanted);
   const KeptBorder border(piece);

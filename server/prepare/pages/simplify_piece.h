@@ -6,6 +6,7 @@ namespace burnish {
 
 /// How a piece loses triangles, from the one that is tried first to the one that always works.
 enum class SimplifyBy {
+  kKeep,          ///< not at all: larger pages of the same detail follow
   kCollapse,      ///< collapse_edges(), and leaves part of the vertices inside as they are
   kCollapseMore,  ///< collapse_edges() until half is left, whatever it costs
   kCluster,       ///< cluster_vertices()

@@ -118,6 +118,17 @@ TEST_F(SheetStore, APartThatTheScanDoesNotHaveIsRefused) {
   EXPECT_THAT(read({"", {}, {}, {{0, 8}}}).message(), HasSubstr("page 0: 8"));
 }
 
+TEST_F(SheetStore, PagesOfALargePictureAreManyAndAreSoAgainWhenTheyAreMadeAgain) {
+  const std::string zip = archive_of({.quads_per_side = 10, .face_texels = 800});
+  scan_ = library_.import(zip, "sharp", {}, 5, MeshFormat::kZip).value().scan;
+  const PageHead imported = pages();
+  EXPECT_GE(imported.level_pages.front(), 6u * 800 * 800 / (512 * 512));
+  fs::remove(pages_path());
+  library_.restart();
+  EXPECT_EQ(pages().level_pages, imported.level_pages);
+  EXPECT_TRUE(has_sheets());
+}
+
 TEST_F(SheetStore, AScanWithoutPicturesHasNoneAndIsNotReadForThem) {
   const ScanInfo plain = library_.import(sphere_file(), "plain").value().scan;
   fs::resize_file(library_.folder->scans() / plain.id / "original.ply", 10);

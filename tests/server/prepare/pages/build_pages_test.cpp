@@ -26,8 +26,8 @@ std::string content_of(const std::filesystem::path& path) {
 
 class BuildPages : public testing::Test {
  protected:
-  ReadPages pages_of(const TriangleMesh& mesh) {
-    const Status status = build_pages_of(mesh, folder_ / "scan.pages", {}, {}, &report_);
+  ReadPages pages_of(const TriangleMesh& mesh, const PageTexels& texels = {}) {
+    const Status status = build_pages_of(mesh, folder_ / "scan.pages", {}, {}, &report_, texels);
     EXPECT_TRUE(status.is_ok()) << status.to_string();
     auto read = read_pages(folder_ / "scan.pages");
     EXPECT_TRUE(read.is_ok()) << read.status().to_string();
@@ -80,6 +80,33 @@ TEST_F(BuildPages, EveryLevelHasAtMostThreeQuartersOfTheFinerOneDownToOnePage) {
   for (int level = 1; level < read.level_count(); ++level)
     EXPECT_LE(triangles_of(read, level), 0.75 * triangles_of(read, level - 1));
   EXPECT_EQ(read.directory.head.level_pages.back(), 1u);
+}
+
+TEST_F(BuildPages, SmallPagesOfLargePicturesAreJoinedBeforeTheyLoseTriangles) {
+  const TriangleMesh mesh = scan_of_kind("blob", 2'000);
+  const std::vector<float> texels(mesh.triangles.size(), 100);
+  const ReadPages read = pages_of(mesh, {texels, 1000});
+  EXPECT_EQ(level_0_of(read), corners_of(mesh));
+  EXPECT_GE(read.directory.head.level_pages.front(), mesh.triangles.size() / 10);
+  EXPECT_EQ(read.directory.head.level_pages[1], pages_of(mesh).directory.head.level_pages.front());
+  EXPECT_EQ(triangles_of(read, 1), mesh.triangles.size());
+}
+
+TEST_F(BuildPages, ABoxOfTwelveTrianglesMayHaveAPageForEach) {
+  TriangleMesh box;
+  for (int corner = 0; corner < 8; ++corner)
+    box.vertices.push_back({double(corner & 1), double(corner >> 1 & 1), double(corner >> 2)});
+  const std::array<std::array<uint32_t, 4>, 6> sides = {
+      {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+  for (const auto& [a, b, c, d] : sides) {
+    box.triangles.push_back({a, b, c});
+    box.triangles.push_back({a, c, d});
+  }
+  const std::vector<float> texels(box.triangles.size(), 1e6f);
+  const ReadPages read = pages_of(box, {texels, 1000});
+  EXPECT_EQ(read.directory.head.level_pages, (std::vector<uint32_t>{12, 1}));
+  EXPECT_EQ(level_0_of(read), corners_of(box));
+  EXPECT_EQ(triangles_of(read, 1), box.triangles.size());
 }
 
 TEST_F(BuildPages, Level0IsTheScan) {

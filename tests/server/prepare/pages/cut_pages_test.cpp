@@ -15,11 +15,11 @@ namespace {
 
 class CutPages : public testing::Test {
  protected:
-  PageGroups cut(const TriangleMesh& mesh, int level = 0) {
+  PageGroups cut(const TriangleMesh& mesh, int level = 0, const PageTexels& texels = {}) {
     const MeshStatistics statistics = compute_statistics(mesh);
     const PageVertices placed = place_vertices({mesh.vertices, mesh.triangles, {}, statistics}, {});
     return cut_pages({mesh.triangles, placed.positions, placed.grid.bits, level,
-                      1.05 * mesh.vertices.size() / mesh.triangles.size()},
+                      1.05 * mesh.vertices.size() / mesh.triangles.size(), texels},
                      {});
   }
 };
@@ -46,6 +46,25 @@ TEST_F(CutPages, EveryTriangleIsInOnePageThatIsNotTooLarge) {
 TEST_F(CutPages, PagesOfACleanScanAreNearlyFull) {
   const TriangleMesh mesh = scan_of_kind("blob", 100'000);
   EXPECT_GT(static_cast<double>(mesh.triangles.size()) / cut(mesh).count(), 3400);
+}
+
+TEST_F(CutPages, PagesOfSeveralTrianglesHaveTheirTexelsAtMost) {
+  const TriangleMesh mesh = scan_of_kind("blob", 10'000);
+  std::vector<float> texels(mesh.triangles.size(), 10);
+  for (size_t t = 0; t < 100; ++t) texels[t] = 900;
+  texels[7] = 50'000;
+  const PageGroups pages = cut(mesh, 0, {texels, 2000});
+  size_t alone = 0;
+  for (size_t page = 0; page < pages.count(); ++page) {
+    double sum = 0;
+    for (const uint32_t t : pages[page]) sum += texels[t];
+    if (pages[page].size() > 1)
+      EXPECT_LE(sum, 2000);
+    else
+      alone += pages[page][0] == 7;
+  }
+  EXPECT_EQ(alone, 1u);
+  EXPECT_LT(pages.count(), 3 * (10.0 * texels.size() + 100 * 900) / 2000);
 }
 
 TEST_F(CutPages, SeveralRunsOfTheCurveHoldEveryTriangleOnce) {

@@ -10,9 +10,9 @@ namespace {
 
 constexpr uint32_t kCuts = 50;
 
-ReadPages pages_of(const TriangleMesh& mesh) {
+ReadPages pages_of(const TriangleMesh& mesh, const PageTexels& texels = {}) {
   const TemporaryFolder folder;
-  const Status status = build_pages_of(mesh, folder / "scan.pages");
+  const Status status = build_pages_of(mesh, folder / "scan.pages", {}, {}, nullptr, texels);
   EXPECT_TRUE(status.is_ok()) << status.to_string();
   return read_pages(folder / "scan.pages").value();
 }
@@ -47,6 +47,13 @@ TEST(LegalCuts, OfDuplicatesAndSmallComponentsHaveNoCracks) {
   EXPECT_EQ(cracks_of_random_cuts(pages_of(with_duplicates(scan_of_kind("blob", 20'000)))), 0u);
   EXPECT_EQ(cracks_of_random_cuts(pages_of(small_components(5'000))), 0u);
   EXPECT_EQ(cracks_of_random_cuts(pages_of(loose_triangles(10'000))), 0u);
+}
+
+TEST(LegalCuts, OfPagesThatEndForTheirTexelsHaveNoCracks) {
+  const TriangleMesh mesh = scan_of_kind("blob", 20'000);
+  const std::vector<float> texels(mesh.triangles.size(), 10);
+  for (const double of_page_max : {500.0, 15'000.0})  // joined first; simplified at once
+    EXPECT_EQ(cracks_of_random_cuts(pages_of(mesh, {texels, of_page_max})), 0u) << of_page_max;
 }
 
 TEST(LegalCuts, OfAClosedScanAreClosed) {

@@ -16,10 +16,11 @@ Result<ReadPages> read_pages(const std::filesystem::path& path) {
 }
 
 Status build_pages_of(const TriangleMesh& mesh, const std::filesystem::path& path,
-                      const PagesOptions& options, const Progress& progress, PagesReport* report) {
+                      const PagesOptions& options, const Progress& progress, PagesReport* report,
+                      const PageTexels& texels) {
   const MeshStatistics statistics = compute_statistics(mesh);
-  return build_pages({mesh.vertices, mesh.triangles, mesh.colours, statistics}, path, options,
-                     progress, report);
+  return build_pages({mesh.vertices, mesh.triangles, mesh.colours, statistics, texels}, path,
+                     options, progress, report);
 }
 
 }  // namespace burnish

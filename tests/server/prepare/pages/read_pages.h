@@ -23,6 +23,6 @@ Result<ReadPages> read_pages(const std::filesystem::path& path);
 /// Makes the page file of a mesh. Fails: as build_pages() does.
 Status build_pages_of(const TriangleMesh& mesh, const std::filesystem::path& path,
                       const PagesOptions& options = {}, const Progress& progress = {},
-                      PagesReport* report = nullptr);
+                      PagesReport* report = nullptr, const PageTexels& texels = {});
 
 }  // namespace burnish

@@ -10,6 +10,7 @@
 #include "common/mesh/statistics/statistics.h"
 #include "common/pages/directory_codec.h"
 #include "server/prepare/pages/build_pages.h"
+#include "server/prepare/sheets/count_texels.h"
 
 namespace burnish {
 
@@ -84,12 +85,29 @@ class PageDifference {
 
 }  // namespace
 
-PageFile pages_of_archive(std::span<const uint8_t> zip, const std::filesystem::path& path) {
+static PageFile pages_of(std::span<const uint8_t> zip, const std::filesystem::path& path,
+                         const PageTexels& texels) {
   const TriangleMesh mesh = read_mesh(zip, MeshFormat::kZip, "ball").value();
   const MeshStatistics statistics = compute_statistics(mesh);
-  const Status built = build_pages({mesh.vertices, mesh.triangles, mesh.colours, statistics}, path);
+  const Status built =
+      build_pages({mesh.vertices, mesh.triangles, mesh.colours, statistics, texels}, path);
   BURNISH_CHECK(built.is_ok(), built.message());
   return PageFile::open(path).value();
+}
+
+PageFile full_pages_of_archive(std::span<const uint8_t> zip, const std::filesystem::path& path) {
+  return pages_of(zip, path, {});
+}
+
+PageFile pages_of_archive(std::span<const uint8_t> zip, const std::filesystem::path& path) {
+  CountedTexels texels;
+  const auto count = [&](const TexturedSurface& surface) -> Status {
+    ASSIGN_OR_RETURN(texels, count_texels(surface.textures, "ball", {}, {}));
+    return Status::ok();
+  };
+  const Status counted = read_textured_surface(zip, MeshFormat::kZip, "ball", count);
+  BURNISH_CHECK(counted.is_ok(), counted.message());
+  return pages_of(zip, path, texels.for_pages());
 }
 
 Result<bool> build_sheets_of_archive(std::span<const uint8_t> zip, const PageFile& pages,

@@ -11,8 +11,11 @@
 
 namespace burnish {
 
-/// Makes the pages of a textured scan. Returns the open page file.
+/// Makes the pages of a textured scan, as a library does. Returns the open page file.
 PageFile pages_of_archive(std::span<const uint8_t> zip, const std::filesystem::path& path);
+
+/// Makes pages that do not end for the texels of pictures.
+PageFile full_pages_of_archive(std::span<const uint8_t> zip, const std::filesystem::path& path);
 
 /// Makes its sheets beside them.
 Result<bool> build_sheets_of_archive(std::span<const uint8_t> zip, const PageFile& pages,

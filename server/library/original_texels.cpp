@@ -1,0 +1,24 @@
+#include "server/library/original_texels.h"
+
+#include "common/base/mapped_file.h"
+#include "common/mesh/io/textured_surface.h"
+#include "server/library/read_original.h"
+
+namespace burnish {
+
+Result<CountedTexels> texels_of_original(const std::filesystem::path& path, MeshFormat format,
+                                         const std::string& name, LibraryBudget& budget,
+                                         const Progress& progress) {
+  ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(path));
+  CountedTexels texels;
+  if (!may_have_pictures(file.bytes(), format)) return texels;
+  const auto count = [&](const TexturedSurface& surface) -> Status {
+    ASSIGN_OR_RETURN(texels, count_texels(surface.textures, name, budget.space(), progress));
+    return Status::ok();
+  };
+  RETURN_IF_ERROR(read_textured_surface(file.bytes(), format, name, count,
+                                        {.budget = reading_budget(budget, progress)}));
+  return texels;
+}
+
+}  // namespace burnish
