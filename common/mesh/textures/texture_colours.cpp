@@ -77,6 +77,9 @@ class TexturePainter {
     return colours;
   }
 
+  /// Returns whether the pictures have two pixels of different colours.
+  bool has_detail() const { return has_detail_; }
+
  private:
   template <typename Visit>
   Status for_each_triangle_heard(const Visit& visit) const {
@@ -146,9 +149,19 @@ class TexturePainter {
     const auto add_part = [&](uint32_t t, int corner, const Eigen::Array4d& part) {
       add(t, corner, part);
     };
-    const auto take = [&](const PixelRun& run) { sweep->take(run, add_part); };
+    const auto take = [&](const PixelRun& run) {
+      look_for_detail(run);
+      sweep->take(run, add_part);
+    };
     RETURN_IF_ERROR(read_picture_rows(file, name, {begin, take, goes_on}));
     return sweep->is_cancelled() ? cancelled(name + ": painting was cancelled") : Status::ok();
+  }
+
+  void look_for_detail(const PixelRun& run) {
+    if (run.pixels.empty() || has_detail_) return;
+    if (!first_pixel_) first_pixel_ = run.pixels[0];
+    has_detail_ =
+        std::ranges::any_of(run.pixels, [&](const Rgba8& c) { return c != *first_pixel_; });
   }
 
   Status count_texels(const PictureSize& size) {
@@ -176,12 +189,12 @@ class TexturePainter {
   uint64_t texels_ = 0;
   double least_area_ = 0;
   bool has_begun_ = false;
+  std::optional<Rgba8> first_pixel_;  // of all pictures
+  bool has_detail_ = false;
 };
 
-Result<std::vector<Rgba8>> texture_colours(const TriangleMesh& mesh,
-                                           const SurfaceTextures& textures,
-                                           const FileBudget& budget, const std::string& name) {
-  TexturePainter painter(mesh, textures, budget);
+/// Paints all pictures. Fails: as add_texture_colours().
+Status paint(TexturePainter& painter, const SurfaceTextures& textures, const std::string& name) {
   RETURN_IF_ERROR(painter.begin());
   for (uint32_t picture = 0; picture < textures.pictures.size(); ++picture) {
     const Status painted = painter.paint(picture, name);
@@ -189,7 +202,7 @@ Result<std::vector<Rgba8>> texture_colours(const TriangleMesh& mesh,
     if (!can_be_left_out(painted, textures)) return painted;
     painter.paint_rest(picture);
   }
-  return painter.colours();
+  return Status::ok();
 }
 
 bool is_one_colour(const std::vector<Rgba8>& colours) {
@@ -202,9 +215,11 @@ Status add_texture_colours(TriangleMesh& mesh, const SurfaceTextures& textures,
                            const FileBudget& budget, const std::string& name) {
   // Readers walk through a file twice; one whose walks differ must not end a server.
   if (textures.triangles.size() != mesh.triangles.size()) return Status::ok();
-  ASSIGN_OR_RETURN(auto colours, texture_colours(mesh, textures, budget, name));
+  TexturePainter painter(mesh, textures, budget);
+  RETURN_IF_ERROR(paint(painter, textures, name));
+  std::vector<Rgba8> colours = painter.colours();
   if (!mesh.has_colours()) {
-    if (!is_one_colour(colours)) mesh.colours = std::move(colours);
+    if (painter.has_detail() || !is_one_colour(colours)) mesh.colours = std::move(colours);
     return Status::ok();
   }
   for (size_t v = 0; v < colours.size(); ++v)

@@ -11,8 +11,9 @@ namespace burnish {
 
 /// Gives each vertex a colour: the mean of the texels that it owns, the third of each of its
 /// triangles that is nearest to it, in linear light. A vertex without triangles is white. One
-/// colour for all vertices counts as none. If the mesh has colours, multiplies them in linear
-/// light. Textures of another number of triangles colour nothing. Needs: valid indices.
+/// colour for all vertices counts as none, unless the pictures have detail. If the mesh has
+/// colours, multiplies them in linear light. Textures of another number of triangles colour
+/// nothing. Needs: valid indices.
 ///
 /// A triangle has the plain colour of its material where a coordinate is missing, not finite or
 /// above kTextureCoordinateMax, where the picture is neither PNG nor JPEG, and where it is beyond

@@ -93,6 +93,20 @@ TEST(ObjTextures, OneColourForAllIsNone) {
   EXPECT_TRUE(colours_of(kSquareObj, beside).empty());
 }
 
+TEST(ObjTextures, OneMeanForAllIsKeptWhereThePictureHasDetail) {
+  const auto square_of = [](const Rgba8& corner) {
+    FilesInMemory beside = square_files();
+    beside.files["skin.png"] = png_of(drawn(64, 64, [&](uint32_t x, uint32_t y) {
+      return x + y == 0 ? corner : Rgba8{90, 80, 70, 255};
+    }));
+    return colours_of(kSquareObj, beside);
+  };
+  EXPECT_THAT(square_of({0, 0, 0, 255}),
+              ElementsAre(Rgba8{90, 80, 70, 255}, Rgba8{90, 80, 70, 255}, Rgba8{90, 80, 70, 255},
+                          Rgba8{90, 80, 70, 255}));
+  EXPECT_TRUE(square_of({90, 80, 70, 255}).empty());
+}
+
 TEST(ObjTextures, ScaleOffsetAndClampMoveTheCoordinates) {
   FilesInMemory beside = square_files();
   constexpr TextureWraps kClamps = {TextureWrap::kClamp, TextureWrap::kClamp};
