@@ -37,7 +37,8 @@ Result<FileContent> FileContent::read(const std::filesystem::path& path, size_t 
   content.size_ = std::min<size_t>(file.file_bytes(), bytes_max);
   content.file_bytes_ = file.file_bytes();
   ASSIGN_OR_RETURN(content.block_, make_room(space, content.size_, path));
-  RETURN_IF_ERROR(file.read(0, {static_cast<uint8_t*>(content.block_.data()), content.size_}));
+  RETURN_IF_ERROR(
+      file.read_together(0, {static_cast<uint8_t*>(content.block_.data()), content.size_}));
   return content;
 }
 

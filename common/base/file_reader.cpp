@@ -1,5 +1,7 @@
 #include "common/base/file_reader.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <fcntl.h>
 #include <string>
@@ -51,6 +53,26 @@ Status FileReader::read(uint64_t offset, std::span<uint8_t> bytes) const {
                        std::to_string(offset + bytes.size()) + " bytes");
     done += static_cast<size_t>(got);
   }
+  return Status::ok();
+}
+
+Status FileReader::read_together(uint64_t offset, std::span<uint8_t> bytes,
+                                 const std::function<bool()>& goes_on) const {
+  constexpr size_t kPiece = size_t{1} << 20;
+  const size_t pieces = (bytes.size() + kPiece - 1) / kPiece;
+  std::atomic<bool> is_cancelled = false, has_failed = false;
+#pragma omp parallel for schedule(dynamic) if (pieces > 1)
+  for (size_t i = 0; i < pieces; ++i) {
+    if (is_cancelled || has_failed) continue;
+    const size_t begin = i * kPiece;
+    if (goes_on && !goes_on())
+      is_cancelled = true;
+    else if (!read(offset + begin, bytes.subspan(begin, std::min(kPiece, bytes.size() - begin)))
+                  .is_ok())
+      has_failed = true;
+  }
+  if (is_cancelled) return cancelled("reading " + path_.string() + " was cancelled");
+  if (has_failed) return read(offset, bytes);  // it says why, of all bytes
   return Status::ok();
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -27,6 +28,12 @@ class FileReader {
   /// Fills `bytes` from an offset. Fails: data_loss (the file ends before); as errno says.
   Status read(uint64_t offset, std::span<uint8_t> bytes) const;
   Result<std::vector<uint8_t>> read(uint64_t offset, size_t size) const;
+
+  /// Fills many bytes by all threads: the system's handing out of their memory takes longer than
+  /// the copying. Fails: likewise; cancelled once `goes_on`, which threads call at the same time,
+  /// returns false.
+  Status read_together(uint64_t offset, std::span<uint8_t> bytes,
+                       const std::function<bool()>& goes_on = {}) const;
 
  private:
   FileReader(int file, std::filesystem::path path) : file_(file), path_(std::move(path)) {}

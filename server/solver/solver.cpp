@@ -52,12 +52,14 @@ ChosenBackend on_cpu_shards(const Multigrid& on, const SolverOptions& options) {
 
 Result<ChosenBackend> on_cuda_shards(const Multigrid& on, const SolverOptions& options, int count) {
   ASSIGN_OR_RETURN(std::string device, cuda_device());
-  const auto shards = std::make_shared<Shards>(make_shards(on, count, options.whole_corners_max));
+  const auto shards = std::make_shared<Shards>(
+      make_shards(on, count, options.whole_corners_max, ShardIntegrals::kLeft));
   auto steps = std::make_shared<LockStep>(count);
   std::vector<CudaShard> parts;
   for (Shard& shard : shards->all)
-    parts.push_back({std::move(shard.on), shard.halos, &shard.border});
+    parts.push_back({std::move(shard.on), shard.cells, shard.halos, &shard.border});
   const CudaShardGroup group = {shards->border, on.plan->patches.count() > 0,
+                                on.prepared->integrals,
                                 [steps = steps.get()](const std::function<void()>& together) {
                                   steps->arrive_and_wait(together);
                                 }};

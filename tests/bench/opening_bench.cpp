@@ -1,5 +1,6 @@
 // Measures what opening a prepared scan makes: the hierarchy, and its shards for two devices; and a
-// session, when the scan is opened first and again.
+// session, when the scan is opened first and again. The session takes two devices if they are
+// there.
 
 #include <functional>
 #include <unistd.h>
@@ -8,6 +9,7 @@
 #include "common/base/process_memory.h"
 #include "server/prepare/prepare.h"
 #include "server/session/session.h"
+#include "server/solver/cuda/cuda_backend.h"
 #include "server/solver/hierarchy/hierarchy.h"
 #include "server/solver/kept/hierarchy_file.h"
 #include "server/solver/multi/shard.h"
@@ -19,6 +21,7 @@ namespace burnish {
 namespace {
 
 constexpr int kShards = 2;
+constexpr size_t kCellsForOneThreadMax = 20'000'000;  // it takes minutes
 constexpr uint64_t kFingerprint = 1;
 
 /// The files of a scan, in a folder that goes with them.
@@ -45,6 +48,11 @@ struct Opening {
   double sum() const { return prepared + hierarchy + session; }
 };
 
+SolverOptions session_options() {
+  const bool has_devices = cuda_device().is_ok() && cuda_memory_by_device().size() >= kShards;
+  return {.devices = has_devices ? kShards : 0};
+}
+
 using FindHierarchy = std::function<Multigrid(std::shared_ptr<const PreparedMesh>)>;
 
 // Reads the prepared data as a server does, and ends when the session takes edits.
@@ -58,7 +66,8 @@ Opening open_scan(const ScanFiles& files, const FindHierarchy& find) {
     prepared = read_prepared_mesh(files.prepared, ScratchSpace(files.folder, 0)).value();
   });
   opening.hierarchy = milliseconds([&] { opening.on = find(prepared); });
-  opening.session = milliseconds([&] { session = Session::open(opening.on, {}).value(); });
+  opening.session =
+      milliseconds([&] { session = Session::open(opening.on, session_options()).value(); });
   opening.peak_bytes = static_cast<double>(peak_resident_bytes() - before);
   return opening;
 }
@@ -104,6 +113,7 @@ Status report_scan(const ScanArgument& scan, const BenchArguments& arguments, Be
   const ScanFiles files;
   RETURN_IF_ERROR(write_prepared_mesh(*made.prepared, files.prepared));
   for (const int threads : thread_counts(arguments)) {
+    if (threads == 1 && made.prepared->cells.size() > kCellsForOneThreadMax) continue;
     use_threads(threads);
     const double hierarchy = milliseconds([&] { made.hierarchy = make_hierarchy(*made.prepared); });
     const double cut = milliseconds([&] { (void)make_shards(made, kShards); });

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "common/base/side_by_side.h"
 #include "server/solver/cuda/assembly/assembly.h"
 #include "server/solver/cuda/assembly/cell_shares.h"
 #include "server/solver/cuda/assembly/combined_cells.h"
@@ -468,8 +469,11 @@ Result<std::unique_ptr<Backend>> make_cuda_backend(Multigrid on, Smoother smooth
   return backend;
 }
 
-static Result<std::unique_ptr<Backend>> make_shard(Multigrid on, int device, cuda::Halo& halo) {
-  ASSIGN_OR_RETURN(auto mesh, cuda::device_mesh_of_shard(device, std::move(on)));
+static Result<std::unique_ptr<Backend>> make_shard(CudaShard& shard,
+                                                   std::span<const CellIntegrals> integrals,
+                                                   int device, cuda::Halo& halo) {
+  ASSIGN_OR_RETURN(
+      auto mesh, cuda::device_mesh_of_shard(device, std::move(shard.on), {integrals, shard.cells}));
   auto backend = std::make_unique<cuda::CudaBackend>(mesh, Smoother::kSchwarz, &halo);
   RETURN_IF_ERROR(backend->status());
   if (backend->is_on_device()) mesh->forget_arrays();
@@ -488,10 +492,14 @@ Result<CudaShards> make_cuda_shards(const CudaShardGroup& group, std::span<CudaS
       auto halos,
       cuda::make_halos({group.border, group.has_patches, group.arrive_and_wait}, lists));
   CudaShards made;
-  for (size_t i = 0; i < shards.size(); ++i) {
-    ASSIGN_OR_RETURN(made.backends.emplace_back(),
-                     make_shard(std::move(shards[i].on), lists[i].device, *halos[i]));
-  }
+  made.backends.resize(shards.size());
+  std::vector<Status> statuses(shards.size());
+  run_side_by_side(static_cast<int>(shards.size()), [&](int i) {
+    auto backend = make_shard(shards[i], group.integrals, lists[i].device, *halos[i]);
+    statuses[i] = backend.status();
+    if (backend.is_ok()) made.backends[i] = std::move(backend).value();
+  });
+  for (const Status& status : statuses) RETURN_IF_ERROR(status);
   made.halos = std::make_shared<std::vector<std::unique_ptr<cuda::Halo>>>(std::move(halos));
   return made;
 }

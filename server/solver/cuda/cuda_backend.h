@@ -40,7 +40,8 @@ Result<std::unique_ptr<Backend>> make_cuda_backend(Multigrid on, Smoother smooth
 
 /// A part of a scan for one of several devices, and what it exchanges with the others.
 struct CudaShard {
-  Multigrid on;
+  Multigrid on;                       ///< without its integrals
+  std::span<const int32_t> cells;     ///< of the finest depth, in the whole scan
   std::span<const HaloLists> depths;  ///< from the border depth on
   const BorderLists* border;
 };
@@ -55,6 +56,7 @@ struct CudaShards {
 struct CudaShardGroup {
   int border;  ///< depth
   bool has_patches;
+  std::span<const CellIntegrals> integrals;                           ///< of the whole scan
   std::function<void(const std::function<void()>&)> arrive_and_wait;  ///< see multi/lock_step.h
 };
 

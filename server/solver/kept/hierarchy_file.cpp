@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cstring>
-#include <functional>
-#include <numeric>
 #include <string_view>
 #include <xxhash.h>
 
 #include "common/base/atomic_file.h"
 #include "common/base/file_reader.h"
 #include "common/base/loop_progress.h"
-#include "common/base/parallel.h"
+#include "common/base/resize_touched.h"
 #include "server/solver/kept/hierarchy_checks.h"
 #include "server/solver/kept/hierarchy_format.h"
 
@@ -153,61 +151,51 @@ Status write_sections(const Multigrid& of, const std::vector<SectionEntry>& tabl
   return status;
 }
 
-template <typename T>
-Status read_section(const FileReader& file, const SectionEntry& entry, LoopProgress& loop,
-                    std::vector<T>& array) {
-  array.clear();
-  array.reserve(entry.count);
-  std::vector<T> piece(std::min<uint64_t>(piece_of<T>(), entry.count));
-  PieceChecksum sum;
-  for (uint64_t at = 0; at < entry.count; at += piece.size()) {
-    if (!loop.goes_on(0)) return cancelled("opening was cancelled");
-    const auto part = std::span(piece).first(std::min<uint64_t>(piece.size(), entry.count - at));
-    const std::span<uint8_t> bytes(reinterpret_cast<uint8_t*>(part.data()), part.size_bytes());
-    RETURN_IF_ERROR(file.read(entry.offset + at * sizeof(T), bytes));
-    sum.add(bytes);
-    array.insert(array.end(), part.begin(), part.end());
-  }
-  return sum.value() == entry.checksum ? Status::ok() : data_loss("its checksum is wrong");
-}
-
-/// An array of the file on its way to memory.
+/// An array of the file in memory.
 struct Section {
-  uint64_t bytes = 0;
+  const SectionEntry& entry;
   std::string name;
-  std::function<Status()> read;
-  Status status = Status::ok();
+  std::span<uint8_t> bytes;
 };
 
-// Begins with the longest: the last ones then keep no thread waiting.
-Status read_all(std::vector<Section>& sections) {
-  std::vector<size_t> order(sections.size());
-  std::iota(order.begin(), order.end(), size_t{0});
-  std::ranges::stable_sort(order, std::greater<>(), [&](size_t i) { return sections[i].bytes; });
-  ParallelFailure failure;
+template <typename T>
+std::span<uint8_t> make_room(std::vector<T>& array, size_t count) {
+  array.clear();
+  resize_touched(array, count);
+  return {reinterpret_cast<uint8_t*>(array.data()), count * sizeof(T)};
+}
+
+Status check_sums(const std::vector<Section>& sections) {
+  std::vector<uint8_t> is_whole(sections.size());
 #pragma omp parallel for schedule(dynamic)
-  for (size_t i = 0; i < order.size(); ++i) {
-    Section& section = sections[order[i]];
-    failure.run([&] { section.status = section.read(); });
+  for (size_t i = 0; i < sections.size(); ++i) {
+    const std::span<const uint8_t> bytes = sections[i].bytes;
+    is_whole[i] = XXH3_64bits(bytes.data(), bytes.size()) == sections[i].entry.checksum;
   }
-  failure.rethrow();
-  for (const Section& section : sections)
-    RETURN_IF_ERROR(section.status.with_context("section " + section.name));
+  for (size_t i = 0; i < sections.size(); ++i)
+    if (is_whole[i] == 0)
+      return data_loss("section " + sections[i].name + ": its checksum is wrong");
   return Status::ok();
 }
 
 Status read_arrays(const FileReader& file, std::span<const SectionEntry> table,
                    const Progress& progress, Hierarchy& hierarchy, CyclePlan& plan) {
   LoopProgress loop(progress, "opening", 0, 0);
+  const auto goes_on = [&] { return loop.goes_on(0); };
   // Asked here, because a small file may be read before the first thread has its turn.
-  if (!loop.goes_on(0)) return cancelled("opening was cancelled");
+  if (!goes_on()) return cancelled("opening was cancelled");
   std::vector<Section> sections;
+  Status status;
   visit_arrays(hierarchy, plan, [&]<typename T>(const char* name, std::vector<T>& array) {
+    if (!status.is_ok()) return;
     const SectionEntry& entry = table[sections.size()];
-    sections.push_back({entry.count * sizeof(T), std::to_string(sections.size()) + ", " + name,
-                        [&] { return read_section(file, entry, loop, array); }});
+    sections.push_back(
+        {entry, std::to_string(sections.size()) + ", " + name, make_room(array, entry.count)});
+    status = file.read_together(entry.offset, sections.back().bytes, goes_on)
+                 .with_context("section " + sections.back().name);
   });
-  return read_all(sections);
+  RETURN_IF_ERROR(status);
+  return check_sums(sections);
 }
 
 std::vector<uint32_t> element_sizes(Hierarchy& hierarchy, CyclePlan& plan) {

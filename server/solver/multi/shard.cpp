@@ -1,11 +1,10 @@
 #include "server/solver/multi/shard.h"
 
 #include <algorithm>
-#include <future>
 #include <utility>
 
-#include "common/base/parallel.h"
 #include "common/base/select_numbers.h"
+#include "common/base/side_by_side.h"
 #include "server/solver/multi/shard_depth.h"
 
 namespace burnish {
@@ -123,22 +122,10 @@ BorderLists border_lists_of(const DepthSets& border) {
   return lists;
 }
 
-// Much of the work on a shard is for one thread, so the shards are made side by side.
-template <typename Work>
-void for_each_shard(int shards, const Work& work) {
-  const int threads = std::max(1, thread_count() / shards);
-  std::vector<std::future<void>> running;
-  for (int shard = 0; shard < shards; ++shard)
-    running.push_back(std::async(std::launch::async, [&work, shard, threads] {
-      use_threads(threads);
-      work(shard);
-    }));
-  for (std::future<void>& one : running) one.get();
-}
-
 }  // namespace
 
-Shard make_shard(const Multigrid& on, const Cut& cut, int number, const ShardSets& sets) {
+Shard make_shard(const Multigrid& on, const Cut& cut, int number, const ShardSets& sets,
+                 ShardIntegrals integrals) {
   const Hierarchy& whole = *on.hierarchy;
   const DepthSets& finest = sets.depths.back();
   const LocalIndices local(whole.at(whole.finest), finest);
@@ -150,7 +137,8 @@ Shard make_shard(const Multigrid& on, const Cut& cut, int number, const ShardSet
 
   auto arrays = std::make_shared<Arrays>();
   arrays->cells = gather<MortonKey>(on.prepared->cells, shard.cells);
-  arrays->integrals = gather<CellIntegrals>(on.prepared->integrals, shard.cells);
+  if (integrals == ShardIntegrals::kCopied)
+    arrays->integrals = gather<CellIntegrals>(on.prepared->integrals, shard.cells);
   arrays->curvature = gather<CellCurvature>(on.prepared->curvature, shard.cells);
   take_sheets(*on.prepared, finest, local, *arrays);
   take_vertices(*on.prepared, cut, number, local, *arrays, shard.vertices);
@@ -167,18 +155,19 @@ Shard make_shard(const Multigrid& on, const Cut& cut, int number, const ShardSet
   return shard;
 }
 
-Shards make_shards(const Multigrid& on, int count, int32_t whole_corners_max) {
+Shards make_shards(const Multigrid& on, int count, int32_t whole_corners_max,
+                   ShardIntegrals integrals) {
   const int border = border_depth(*on.hierarchy, whole_corners_max);
-  return make_shards(on, cut_hierarchy(*on.hierarchy, on.plan->patches, count, border));
+  return make_shards(on, cut_hierarchy(*on.hierarchy, on.plan->patches, count, border), integrals);
 }
 
-Shards make_shards(const Multigrid& on, const Cut& cut) {
+Shards make_shards(const Multigrid& on, const Cut& cut, ShardIntegrals integrals) {
   Shards shards{.border = cut.border};
   shards.all.resize(cut.shards);
   std::vector<ShardSets> sets(cut.shards);
-  for_each_shard(cut.shards, [&](int shard) {
+  run_side_by_side(cut.shards, [&](int shard) {
     sets[shard] = find_shard_sets(*on.prepared, *on.hierarchy, cut, shard);
-    shards.all[shard] = make_shard(on, cut, shard, sets[shard]);
+    shards.all[shard] = make_shard(on, cut, shard, sets[shard], integrals);
   });
   for (int depth = shards.border; depth <= on.hierarchy->finest; ++depth) {
     std::vector<HaloLists> lists = find_halo_lists(cut, sets, depth);

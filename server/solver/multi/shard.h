@@ -29,12 +29,19 @@ struct Shards {
   int count() const { return static_cast<int>(all.size()); }
 };
 
-/// Makes a shard of these sets.
-Shard make_shard(const Multigrid& on, const Cut& cut, int number, const ShardSets& sets);
+/// Says whether shards have copies of their cells' integrals, the largest array of a scan. Who
+/// copies them to a device takes them from the whole scan.
+enum class ShardIntegrals { kCopied, kLeft };
 
-Shards make_shards(const Multigrid& on, const Cut& cut);
+/// Makes a shard of these sets.
+Shard make_shard(const Multigrid& on, const Cut& cut, int number, const ShardSets& sets,
+                 ShardIntegrals integrals = ShardIntegrals::kCopied);
+
+Shards make_shards(const Multigrid& on, const Cut& cut,
+                   ShardIntegrals integrals = ShardIntegrals::kCopied);
 
 /// Cuts a scan into shards. Needs: two depths.
-Shards make_shards(const Multigrid& on, int count, int32_t whole_corners_max = kWholeCornersMax);
+Shards make_shards(const Multigrid& on, int count, int32_t whole_corners_max = kWholeCornersMax,
+                   ShardIntegrals integrals = ShardIntegrals::kCopied);
 
 }  // namespace burnish

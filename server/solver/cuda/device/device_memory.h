@@ -29,6 +29,24 @@ void upload(Stream& stream, T* device, std::span<const T> host) {
                  "copying to the device");
 }
 
+/// Says how large a matrix is.
+struct RowsOf {
+  size_t columns = 0;
+  size_t rows = 0;
+};
+
+/// Copies the rows of a matrix to the device. A row begins `device_pitch` elements after the one
+/// before it there, and `host_pitch` elements here.
+template <typename T>
+void upload_rows(Stream& stream, T* device, size_t device_pitch, const T* host, size_t host_pitch,
+                 const RowsOf& of) {
+  if (stream.is_ok())
+    stream.check(
+        cudaMemcpy2DAsync(device, device_pitch * sizeof(T), host, host_pitch * sizeof(T),
+                          of.columns * sizeof(T), of.rows, cudaMemcpyHostToDevice, stream.get()),
+        "copying to the device");
+}
+
 /// Copies an array from the device and waits for it.
 template <typename T>
 void download(Stream& stream, const T* device, std::span<T> host) {

@@ -17,6 +17,7 @@ static_assert(offsetof(VertexPlace, local) == offsetof(EvaluationPoint, local));
 
 static std::vector<uint8_t> octants(const SparseGrid& grid) {
   std::vector<uint8_t> octants(grid.cells.size());
+#pragma omp parallel for schedule(static)
   for (size_t c = 0; c < octants.size(); ++c) octants[c] = grid.cells[c].place & 7;
   return octants;
 }
@@ -116,13 +117,23 @@ static std::array<double, Integrals::kNumbers> numbers_of(const CellIntegrals& o
   return numbers;
 }
 
-static std::vector<double> numbers_of(std::span<const CellIntegrals> integrals) {
-  const size_t cells = integrals.size();
-  std::vector<double> numbers(Integrals::kNumbers * cells);
+// Copies cells in pieces: the numbers of a large scan's cells take as much as all the rest of it.
+static DeviceArray<double> numbers_on_device(Stream& stream, const IntegralsOfCells& integrals) {
+  constexpr size_t kPiece = size_t{1} << 16;  // cells; a host's cores take turns with the bus
+  const size_t cells = integrals.size(), width = std::min(kPiece, cells);
+  if (cells == 0) return {};
+  DeviceArray<double> numbers(stream, Integrals::kNumbers * cells);
+  const PinnedArray<double> piece(stream, Integrals::kNumbers * width);
+  for (size_t first = 0; first < cells && stream.is_ok(); first += width) {
+    const size_t count = std::min(width, cells - first);
 #pragma omp parallel for schedule(static)
-  for (size_t c = 0; c < cells; ++c) {
-    const auto of_cell = numbers_of(integrals[c]);
-    for (size_t i = 0; i < of_cell.size(); ++i) numbers[i * cells + c] = of_cell[i];
+    for (size_t c = 0; c < count; ++c) {
+      const auto of_cell = numbers_of(integrals[first + c]);
+      for (size_t i = 0; i < of_cell.size(); ++i) piece.data()[i * width + c] = of_cell[i];
+    }
+    upload_rows(stream, numbers.data() + first, cells, piece.data(), width,
+                {count, Integrals::kNumbers});
+    stream.synchronize();
   }
   return numbers;
 }
@@ -131,24 +142,26 @@ DeviceSheets::DeviceSheets(Stream& stream, const PreparedMesh& prepared, int32_t
   std::vector<int32_t> cells;
   for (const CellSheet& sheet : prepared.sheets.first(count)) cells.push_back(sheet.cell);
   cell_ = {stream, cells};
-  numbers_ = {stream, numbers_of(prepared.sheet_integrals.first(count))};
+  numbers_ = numbers_on_device(stream, {prepared.sheet_integrals.first(count)});
 }
 
 static std::vector<Curvature> curvatures(std::span<const CellCurvature> of_cells) {
-  std::vector<Curvature> curvatures;
-  curvatures.reserve(of_cells.size());
-  for (const CellCurvature& of : of_cells) curvatures.push_back({of.kappa1, of.kappa2});
+  std::vector<Curvature> curvatures(of_cells.size());
+#pragma omp parallel for schedule(static)
+  for (size_t c = 0; c < of_cells.size(); ++c)
+    curvatures[c] = {of_cells[c].kappa1, of_cells[c].kappa2};
   return curvatures;
 }
 
-static Result<std::shared_ptr<DeviceMesh>> copy_to_device(int device, Multigrid on) {
+static Result<std::shared_ptr<DeviceMesh>> copy_to_device(int device, Multigrid on,
+                                                          const IntegralsOfCells& integrals) {
   Stream stream(device);
   auto mesh = std::make_shared<DeviceMesh>();
   mesh->device = device;
   const PreparedMesh& prepared = *on.prepared;
   for (const HierarchyDepth& depth : on.hierarchy->depths)
     mesh->depths.emplace_back(stream, depth, *on.plan);
-  mesh->integral_numbers = {stream, numbers_of(prepared.integrals)};
+  mesh->integral_numbers = numbers_on_device(stream, integrals);
   mesh->sheets = {stream, prepared, on.hierarchy->depths.back().sheet_count};
   mesh->patches = {stream, on.plan->patches};
   mesh->curvature = {stream, curvatures(prepared.curvature)};
@@ -165,8 +178,9 @@ static std::shared_ptr<const PreparedMesh> without_arrays(const PreparedMesh& of
   return prepared;
 }
 
-Result<std::shared_ptr<DeviceMesh>> device_mesh_of_shard(int device, Multigrid on) {
-  ASSIGN_OR_RETURN(auto mesh, copy_to_device(device, std::move(on)));
+Result<std::shared_ptr<DeviceMesh>> device_mesh_of_shard(int device, Multigrid on,
+                                                         const IntegralsOfCells& integrals) {
+  ASSIGN_OR_RETURN(auto mesh, copy_to_device(device, std::move(on), integrals));
   mesh->on.prepared = without_arrays(*mesh->on.prepared);
   return mesh;
 }
@@ -197,7 +211,8 @@ Result<std::shared_ptr<const DeviceMesh>> device_mesh(int device, Multigrid on) 
   const Key key = {device, on.hierarchy.get(), on.plan.get()};
   if (const auto found = meshes.find(key); found != meshes.end())
     if (auto mesh = found->second.lock()) return mesh;
-  ASSIGN_OR_RETURN(auto made, copy_to_device(device, std::move(on)));
+  const IntegralsOfCells integrals = {on.prepared->integrals};
+  ASSIGN_OR_RETURN(auto made, copy_to_device(device, std::move(on), integrals));
   made->reach = find_reach(*made);
   std::shared_ptr<const DeviceMesh> mesh = std::move(made);
   meshes[key] = mesh;

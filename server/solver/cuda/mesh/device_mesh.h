@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "server/solver/cuda/device/device_memory.h"
@@ -34,6 +35,15 @@ class DeviceTopology {
   DeviceShares shares_;
   DeviceTransfer transfer_;
   Topology view_{};
+};
+
+/// The integrals of some cells of a scan.
+struct IntegralsOfCells {
+  std::span<const CellIntegrals> all;
+  std::optional<std::span<const int32_t>> cells = {};  ///< of these; none: all
+
+  size_t size() const { return cells ? cells->size() : all.size(); }
+  const CellIntegrals& operator[](size_t i) const { return all[cells ? (*cells)[i] : i]; }
 };
 
 /// The PreparedMesh::sheets that a hierarchy uses, on the device.
@@ -79,7 +89,9 @@ struct DeviceMesh {
 /// internal.
 Result<std::shared_ptr<const DeviceMesh>> device_mesh(int device, Multigrid on);
 
-/// Copies a shard's mesh, and keeps none of its integrals on the host. Fails likewise.
-Result<std::shared_ptr<DeviceMesh>> device_mesh_of_shard(int device, Multigrid on);
+/// Copies a shard's mesh with its cells' integrals, and keeps none of the prepared mesh on the
+/// host. Fails likewise.
+Result<std::shared_ptr<DeviceMesh>> device_mesh_of_shard(int device, Multigrid on,
+                                                         const IntegralsOfCells& integrals);
 
 }  // namespace burnish::cuda

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "common/base/resize_touched.h"
 #include "server/solver/cuda/device/packed.h"
 
 namespace burnish::cuda {
@@ -14,12 +15,10 @@ static int halvings_of(float weight) {
   return -1;
 }
 
-static void pack_row(const DepthTransfer& transfer, int64_t begin, int64_t end,
-                     PackedRestriction& result) {
+static void pack_row(const DepthTransfer& transfer, int64_t begin, int64_t end, uint32_t* to) {
   for (int64_t k = begin; k < end; ++k)
-    result.packed.push_back(
-        pack_restriction(transfer.restriction_corner[k],
-                         static_cast<uint32_t>(halvings_of(transfer.restriction_weight[k]))));
+    *to++ = pack_restriction(transfer.restriction_corner[k],
+                             static_cast<uint32_t>(halvings_of(transfer.restriction_weight[k])));
 }
 
 static void list_row(const DepthTransfer& transfer, int64_t begin, int64_t end,
@@ -42,22 +41,30 @@ static bool fits(const DepthTransfer& transfer, size_t row) {
 }
 
 PackedRestriction pack_restriction(const DepthTransfer& transfer) {
-  PackedRestriction result;
-  result.packed.reserve(transfer.restriction_corner.size());
-  result.start = {0};
-  result.listed_start = {0};
-  std::vector<uint8_t> is_packed;
-  for (size_t row = 0; row + 1 < transfer.restriction_start.size(); ++row)
-    is_packed.push_back(fits(transfer, row));
+  const std::vector<int64_t>& start = transfer.restriction_start;
+  const size_t rows = start.empty() ? 0 : start.size() - 1;
+  std::vector<uint8_t> is_packed(rows);
+#pragma omp parallel for schedule(static)
+  for (size_t row = 0; row < rows; ++row) is_packed[row] = fits(transfer, row);
   const bool lists_any = std::ranges::count(is_packed, 0) > 0;
-  for (size_t row = 0; row < is_packed.size(); ++row) {
-    const int64_t begin = transfer.restriction_start[row],
-                  end = transfer.restriction_start[row + 1];
-    const bool is_listed = is_packed[row] == 0 || (lists_any && begin == end);
-    if (is_listed) result.listed.push_back(static_cast<int32_t>(row));
-    (is_listed ? list_row : pack_row)(transfer, begin, end, result);
-    result.start.push_back(static_cast<int64_t>(result.packed.size()));
+  PackedRestriction result;
+  result.start = {0};
+  result.start.reserve(rows + 1);
+  result.listed_start = {0};
+  for (size_t row = 0; row < rows; ++row) {
+    const bool is_listed = is_packed[row] == 0 || (lists_any && start[row] == start[row + 1]);
+    if (is_listed) {
+      is_packed[row] = 0;
+      result.listed.push_back(static_cast<int32_t>(row));
+      list_row(transfer, start[row], start[row + 1], result);
+    }
+    result.start.push_back(result.start.back() + (is_listed ? 0 : start[row + 1] - start[row]));
   }
+  resize_touched(result.packed, result.start.back());
+#pragma omp parallel for schedule(static)
+  for (size_t row = 0; row < rows; ++row)
+    if (is_packed[row] != 0)
+      pack_row(transfer, start[row], start[row + 1], result.packed.data() + result.start[row]);
   return result;
 }
 

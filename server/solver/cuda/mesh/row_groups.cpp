@@ -51,15 +51,17 @@ uint16_t local_of(const Group& group, int32_t column) {
 
 std::vector<int64_t> slice_starts(const Stencil& stencil) {
   const auto n = static_cast<int32_t>(stencil.mask.size());
-  std::vector<int64_t> starts = {0};
+  std::vector<int64_t> starts((n + kSliceRows - 1) / kSliceRows + 1, 0);
+#pragma omp parallel for schedule(static)
   for (int32_t first = 0; first < n; first += kSliceRows) {
-    int64_t longest = 0;
+    int64_t& longest = starts[first / kSliceRows + 1];
     for (int32_t i = first; i < std::min(n, first + kSliceRows); ++i) {
       const Stencil::Row row = packed_part(stencil, i);
-      longest = std::max(longest, row.end - row.begin);
+      longest = std::max<int64_t>(longest, row.end - row.begin);
     }
-    starts.push_back(starts.back() + longest * kSliceRows);
   }
+  for (size_t slice = 1; slice < starts.size(); ++slice)
+    starts[slice] = starts[slice - 1] + starts[slice] * kSliceRows;
   return starts;
 }
 
