@@ -84,6 +84,16 @@ bool take_values64(const LittleEndian& file, uint64_t fields, uint64_t fields_by
   return false;
 }
 
+/// Returns whether a header's additional fields are whole. Padding of up to three zeros may follow
+/// them. libzip does not copy an entry whose fields are not.
+bool are_whole(const LittleEndian& file, uint64_t fields, uint64_t fields_bytes) {
+  const uint64_t end = fields + fields_bytes;
+  uint64_t at = fields;
+  while (at + 4 <= end) at += 4 + file.half(at + 2);
+  if (at > end) return false;
+  return std::ranges::all_of(file.text(at, end - at), [](char c) { return c == 0; });
+}
+
 Result<DirectoryRecord> read_record(const LittleEndian& file, uint64_t& at, uint64_t end) {
   if (at + kRecordBytes > end || file.word(at) != kRecordMark)
     return damaged("its directory is cut off");
@@ -125,6 +135,8 @@ Status check_header(std::span<const uint8_t> archive, const DirectoryRecord& rec
   const uint64_t name = file.half(at + 26), fields = file.half(at + 28);
   const uint64_t content = at + kHeaderBytes + name + fields;
   if (!file.has(content, record.packed_bytes)) return damaged("the entry is cut off");
+  if (!are_whole(file, at + kHeaderBytes + name, fields))
+    return damaged("a field of the entry's own header is cut off");
   const uint16_t flags = file.half(at + 6);
   if (file.text(at + kHeaderBytes, name) != record.name)
     return damaged("the entry has another name in its own header");

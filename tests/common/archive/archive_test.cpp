@@ -65,6 +65,13 @@ TEST(Archive, EncryptedEntriesAreRefused) {
   EXPECT_THAT(refusal_of(with_directory_byte(bytes, 8, bytes[6])), HasSubstr("encrypted"));
 }
 
+TEST(Archive, AHeaderWhoseFieldIsCutOffIsRefused) {
+  constexpr size_t kFieldsLength = 28;
+  auto bytes = packed({{"in/", ""}, {"in/scan.obj", "v"}});
+  bytes[kFieldsLength] = 4;  // those are the beginning of the next header
+  EXPECT_THAT(refusal_of(bytes), HasSubstr("entry 'in/': the archive is damaged: a field"));
+}
+
 TEST(Archive, UnpackedBytesBeyondTheRatioAreRefused) {
   const std::string zeros(4 << 20, '\0');
   const auto bytes = packed({{"zeros.obj", zeros}});
