@@ -60,8 +60,9 @@ Page page_of(const PageMesh& mesh, const PageSpace& space, const PageGrid& grid)
 
 /// The texels of one triangle.
 struct TriangleNeed {
-  float shown = 0;   ///< that the picture needs; 0 outside it
+  float shown = 0;   ///< that the picture needs where it is; outside it, too
   float native = 0;  ///< that the scan's pictures have
+  bool is_visible = false;
 
   float texels(int halvings) const { return std::min(std::ldexp(shown, -2 * halvings), native); }
 };
@@ -83,6 +84,7 @@ class ViewBaker {
     return needs;
   }
 
+  // A page at the picture's border has a sheet for all of its triangles.
   RawPages cut(std::span<const TriangleNeed> needs, int halvings) const {
     std::vector<float> texels;
     texels.reserve(needs.size());
@@ -119,10 +121,9 @@ class ViewBaker {
       corners[k] = surface_.mesh.vertices[surface_.mesh.triangles[triangle][k]];
     const PageBounds bounds =
         bounds_around(corners, [&](const Vec3d& place) { return from_origin(place); });
-    if (!is_visible(view_, bounds, 0)) return {};
     const double density = needed_density(view_, bounds, 0, kTexelsPerPixelStill);
     return {static_cast<float>(area_between(corners) * density * density),
-            static_cast<float>(native_texels(triangle))};
+            static_cast<float>(native_texels(triangle)), is_visible(view_, bounds, 0)};
   }
 
   double native_texels(uint32_t triangle) const {
@@ -161,7 +162,8 @@ class ViewBaker {
 /// Returns how many bytes these textures are likely to take.
 double predicted_bytes(std::span<const TriangleNeed> needs, int halvings) {
   double texels = 0;
-  for (const TriangleNeed& need : needs) texels += need.texels(halvings);
+  for (const TriangleNeed& need : needs)
+    if (need.is_visible) texels += need.texels(halvings);
   return texels * kBytesPerTexel;
 }
 

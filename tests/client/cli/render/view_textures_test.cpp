@@ -85,6 +85,18 @@ TEST_F(ViewTexturesOfABall, OutsideThePictureAreNotMade) {
   EXPECT_FALSE(std::ranges::all_of(textures.of_page, is_made));
 }
 
+TEST_F(ViewTexturesOfABall, AreSharpWhereThePictureEnds) {
+  read({.quads_per_side = 18, .face_texels = 766});
+  options_.size = {80, 60};
+  options_.zoom = 16;
+  const ViewTextures textures = bake().value();
+  const double texel_a_pixel = 1 / pixel_length(wish(0).camera, options_.size);
+  for (const auto& texture : textures.of_page) {
+    if (!texture) continue;
+    EXPECT_GT(texture->charts[0].u.head<3>().norm() / textures.raw.space.unit, texel_a_pixel);
+  }
+}
+
 TEST_F(ViewTexturesOfABall, AreHalvedUntilTheyKeepTheLimit) {
   read({.quads_per_side = 8, .face_texels = 254});
   const ViewTextures whole = bake().value();
