@@ -17,12 +17,11 @@ static constexpr double kTexelsPerPage = 512 * 512;  // charts cover about half 
 static constexpr double kPagesForTexelsMax = 2048;   // 2^29 texels and more: minutes
 
 static constexpr double kRepeatsMax = 16;  // of all pictures, that deserve pages
+static constexpr double kSheetTexelsMax = double{kSheetSideMax} * kSheetSideMax;
 
 /// `own_texels`: of all pictures.
 static double texels_of_page_max(std::span<const float> texels, double own_texels) {
-  constexpr double kSheetTexelsMax = double{kSheetSideMax} * kSheetSideMax;
-  double sum = 0;  // of what sheets can show: a triangle has one at most
-  for (const float of_triangle : texels) sum += std::min<double>(of_triangle, kSheetTexelsMax);
+  const double sum = std::accumulate(texels.begin(), texels.end(), 0.0);
   const double pages_max =
       std::clamp(kRepeatsMax * own_texels / kTexelsPerPage, 1.0, kPagesForTexelsMax);
   return std::max(kTexelsPerPage, sum / pages_max);
@@ -64,7 +63,8 @@ Result<CountedTexels> count_texels(const SurfaceTextures& textures, const std::s
     const auto triangle = static_cast<uint32_t>(t);
     const uint32_t picture = shown_picture(textures, triangle);
     if (picture != kNoTexture)
-      texels[t] = static_cast<float>(area_on_picture(textures, triangle) * of_picture[picture]);
+      texels[t] = static_cast<float>(
+          std::min(area_on_picture(textures, triangle) * of_picture[picture], kSheetTexelsMax));
   });
   const double of_page_max = texels_of_page_max(
       {texels.data(), texels.size()}, std::accumulate(of_picture.begin(), of_picture.end(), 0.0));

@@ -1,5 +1,7 @@
 #include "server/prepare/sheets/count_texels.h"
 
+#include <numeric>
+
 #include <gtest/gtest.h>
 
 #include "tests/common/picture/encoding.h"
@@ -60,6 +62,14 @@ TEST_F(CountTexels, APictureThatRepeatsOftenMakesNoPageBeyondSixteenOfItself) {
   textures_.coordinates[3] = {1e6f, 0};
   const CountedTexels counted = count().value();
   EXPECT_NEAR(counted.of_page_max, 1024 * 1024 + 64 * 32 / 2, 1);
+}
+
+TEST_F(CountTexels, TrianglesThatEachShowAPictureManyTimesShareAPage) {
+  textures_.coordinates[3] = {1e6f, 0};
+  textures_.triangles.assign(100, {0, {0, 3, 2}});
+  const CountedTexels counted = count().value();
+  const auto& texels = counted.of_triangle;
+  EXPECT_LE(std::accumulate(texels.begin(), texels.end(), 0.0), counted.of_page_max);
 }
 
 TEST_F(CountTexels, HearsACancelAndALackOfRoom) {
