@@ -33,8 +33,10 @@ vec2 across(ivec2 pixel) { return (2.0 * (vec2(pixel) + 0.5) / vec2(size) - 1.0)
 Place place_at(ivec2 pixel, int index) {
   pixel = clamp(pixel, ivec2(0), size - 1);
   float depth = texelFetch(depths, pixel, index).r;
-  if (depth == 1.0) return Place(vec3(0.0, 0.0, 1.0), 0.0, vec3(0.0), 0.0, 0.0);
   vec4 geometry = texelFetch(geometries, pixel, index);
+  // Edges reach past the surface, and have a depth alone.
+  if (depth == 1.0 || geometry.xyz == vec3(0.0))
+    return Place(vec3(0.0, 0.0, 1.0), 0.0, vec3(0.0), 0.0, 0.0);
   geometry.xyz /= covered_part(texelFetch(colours, pixel, index));
   float z = 2.0 * depth - 1.0;
   float away = (z * depth_terms.w - depth_terms.y) / (z * depth_terms.z - depth_terms.x);
