@@ -5,7 +5,6 @@
 #include <ctime>
 
 #include "client/app/widgets/places.h"
-#include "client/app/widgets/words.h"
 #include "client/gl/capabilities.h"
 #include "client/model/workspace/document_actions.h"
 #include "client/scene/png_writer.h"
@@ -312,14 +311,14 @@ void App::take_screenshot(const std::filesystem::path& file) {
 Result<Image> App::picture_without_rings() {
   PageRenderer& pages = renderer_->pages();
   const Document* const document = workspace_->document();
-  if (!document) return pages.read_pixels();
+  if (!document) return workspace_->read_picture();
   DrawStyle style = shown_.style;
   style.rings.clear();
   renderer_->set_smooth(true);
   const Viewport& viewport = workspace_->viewport;
   RETURN_IF_ERROR(
       pages.draw(viewport.camera, viewport.size(), style, document->surface().patches()));
-  Result<Image> picture = pages.read_pixels();
+  Result<Image> picture = workspace_->read_picture();
   renderer_->set_smooth(shown_.is_smooth);
   RETURN_IF_ERROR(workspace_->draw());
   return picture;
@@ -337,10 +336,8 @@ void App::save_picture_at_rest(std::chrono::steady_clock::time_point now) {
   if (!written.is_ok()) return workspace_->log.failure("screenshot", written);
   std::error_code ignored;
   const std::string saved = "saved " + std::filesystem::absolute(file, ignored).string();
-  const Document* const document = workspace_->document();
-  const std::string lack = document ? simplified_text(document->surface().status()) : "";
-  if (lack.empty()) return workspace_->log.info(saved);
-  workspace_->log.warning(saved + ": " + lack);
+  if (picture->note.empty()) return workspace_->log.info(saved);
+  workspace_->log.warning(saved + ": " + picture->note);
 }
 
 }  // namespace burnish

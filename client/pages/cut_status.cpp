@@ -66,6 +66,16 @@ std::string status_text(const CutStatus& status) {
          " triangles: " + reason_text(status);
 }
 
+std::string simplified_text(const CutStatus& status) {
+  if (status.is_full_detail) return {};
+  // A picture with all triangles in sight may have coarse ones at its border.
+  const double percent = std::min(100 * status.drawn_part(), 99.0);
+  char text[32];
+  std::snprintf(text, sizeof text, percent < 10 ? "simplified, %.2g %%" : "simplified, %.0f %%",
+                percent);
+  return text;
+}
+
 double CutStatus::drawn_part() const {
   if (triangles_in_view == 0) return 1;
   return std::min(1.0,

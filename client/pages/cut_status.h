@@ -41,6 +41,9 @@ struct CutStatus {
 /// Returns a short line: "full detail", or "12 % of 2.25 M triangles: loading, 1.3 MB left".
 std::string status_text(const CutStatus& status);
 
+/// Returns what a picture without full detail is: "simplified, 40 %"; nothing of another.
+std::string simplified_text(const CutStatus& status);
+
 /// Returns how many triangles of the scan may be in the picture. Counts pages whole. Takes the
 /// scan's mean for pages that are not known.
 uint64_t scan_triangles_in_view(const KnownPages& known, const PageView& view, float largest_move);

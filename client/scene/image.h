@@ -26,6 +26,7 @@ Result<ImageSize> parse_image_size(const std::string& text);
 struct Image {
   ImageSize size;
   std::vector<uint8_t> rgb;
+  std::string note = {};  ///< what its file says of it, in ASCII; empty: nothing
 
   const uint8_t* pixel(int x, int y) const {
     return rgb.data() + 3 * (static_cast<size_t>(y) * size.width + x);

@@ -53,8 +53,10 @@ Status ScriptRunner::run_pointer(const ScriptLine& line) {
 Status ScriptRunner::take_screenshot(const std::filesystem::path& path) {
   RETURN_IF_ERROR(finish_picture());
   RETURN_IF_ERROR(workspace_.viewport.draw(renderer_, *workspace_.document()));
-  ASSIGN_OR_RETURN(const Image image, renderer_.read_pixels());
-  return host_.keep_picture(image, path);
+  ASSIGN_OR_RETURN(const Image image, workspace_.read_picture());
+  RETURN_IF_ERROR(host_.keep_picture(image, path));
+  if (!image.note.empty()) workspace_.log.warning("saved " + path.string() + ": " + image.note);
+  return Status::ok();
 }
 
 }  // namespace burnish

@@ -17,9 +17,11 @@ void SheetLoader::look(const SheetQuestion& question, const KnownPages& pages, T
   missing_.clear();
   wanted_.clear();
   held_.clear();
+  is_coarse_ = false;
   store_.begin_picture();
   list_wants(question, pages);
   const float coarser = coarseness();
+  is_coarse_ |= coarser > 1;
   for (const Want& want : wants_) take_stock_of(want, coarser);
   is_complete_ = wanted_.empty() && held_.empty();
   if (!question.may_ask) missing_.clear();
@@ -68,7 +70,7 @@ void SheetLoader::take_stock_of(const Want& want, float coarser) {
   const PageItem charts = PageItem::of_charts(want.page, version_);
   const PageItem sheet = PageItem::of_sheet(want.page, halving, version_);
   const PageFailures& failures = requests_.failures();
-  if (failures.is_given_up(charts) || failures.is_given_up(sheet)) return;
+  if (failures.is_given_up(charts) || failures.is_given_up(sheet)) return void(is_coarse_ = true);
   const SheetEntry& entry = want.facts.sheets[halving];
   const bool has_sheet = !stored.sheet.empty() && stored.sheet_halving == halving;
   if (stored.charts.empty()) miss(charts, want.facts.charts.bytes, want.needed / here);
@@ -79,7 +81,8 @@ void SheetLoader::take_stock_of(const Want& want, float coarser) {
 }
 
 void SheetLoader::miss(PageItem item, uint32_t bytes, float excess) {
-  if (requests_.failures().is_given_up(item) || !wanted_.insert(item).second) return;
+  if (requests_.failures().is_given_up(item)) return void(is_coarse_ = true);
+  if (!wanted_.insert(item).second) return;
   missing_.push_back({item, bytes, excess});
 }
 

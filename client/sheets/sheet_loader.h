@@ -59,6 +59,8 @@ class SheetLoader {
   uint64_t changes() const { return store_.changes(); }
   /// Returns whether another look() with the same question would change nothing.
   bool is_settled() const { return is_fine_ && is_complete_; }
+  /// Returns whether the last picture has each texel that one at rest needs.
+  bool has_all() const { return is_settled() && !is_coarse_; }
   /// Returns what was given up since the last call.
   std::vector<GivenUpItem> take_given_up() { return requests_.failures().take_news(); }
   const SheetStore& store() const { return store_; }
@@ -97,6 +99,7 @@ class SheetLoader {
   std::set<PageItem> decoding_;
   bool is_fine_ = false;      // the last picture asked for what one at rest needs
   bool is_complete_ = false;  // nothing was missing
+  bool is_coarse_ = false;    // some was given up, or does not fit into memory
 };
 
 template <typename PageOf>

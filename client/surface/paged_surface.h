@@ -112,6 +112,8 @@ class PagedSurface {
   uint64_t changes() const { return changes_; }
   /// Returns whether the next look() with the same arguments changes nothing, until on_news.
   bool is_settled() const;
+  /// Returns whether the picture of the last look() has each texel that one at rest needs.
+  bool has_all_texels() const { return !shows_textures() || textures_->has_all(); }
   /// Returns why the server must make the pages again, if it said so since the last call.
   std::optional<Status> take_damage() { return std::exchange(damage_, std::nullopt); }
   /// The server has made the pages again: all that failed is asked for again.

@@ -57,6 +57,8 @@ class TextureSupply {
   uint64_t changes() const { return loader_.changes(); }
   /// Returns whether the last picture has all the sheets that it needs.
   bool is_settled() const { return loader_.is_settled(); }
+  /// Returns whether it has each texel that a picture at rest needs.
+  bool has_all() const { return loader_.has_all(); }
   /// Returns what was given up, in words, once for a connection; else nothing.
   std::string take_failures();
 

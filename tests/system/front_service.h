@@ -26,16 +26,17 @@ class FrontService : public testing::Test {
   /// `preferences`: file in the server's folder; empty: nothing is kept.
   explicit FrontService(
       std::unique_ptr<PageRenderer> renderer = std::make_unique<NullPageRenderer>(),
-      const std::string& preferences = "")
-      : renderer_(std::move(renderer)), options_(options_with(preferences)) {
+      const std::string& preferences = "", const PageBudget& budget = {})
+      : renderer_(std::move(renderer)), options_(options_with(preferences, budget)) {
     EXPECT_TRUE(owner_.import_scan(write_sphere(server_.folder, 4), "ball", {5, 0}, {}).is_ok());
     EXPECT_TRUE(owner_.open_session({"ball", "work", {5, 0}}).is_ok());
   }
 
   static void SetUpTestSuite() { ::setenv("OMP_WAIT_POLICY", "passive", 0); }
 
-  WorkspaceOptions options_with(const std::string& preferences) const {
+  WorkspaceOptions options_with(const std::string& preferences, const PageBudget& budget) const {
     WorkspaceOptions options;
+    options.budget = budget;
     if (!preferences.empty()) options.preferences = server_.folder / preferences;
     return options;
   }

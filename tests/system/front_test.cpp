@@ -1,3 +1,4 @@
+#include "tests/client/scene/png_description.h"
 #include "tests/system/front_service.h"
 
 namespace burnish {
@@ -237,6 +238,31 @@ TEST_F(FrontService, AScriptWhoseSessionIsClosedWhileItWaitsEndsAndSaysSo) {
   };
   replay("join work\nbeta 0.25\nwait\n");
   EXPECT_TRUE(until([this] { return has_message("closed while the script waited"); }));
+}
+
+class FrontOfFewTriangles : public FrontService {
+ protected:
+  FrontOfFewTriangles()
+      : FrontService(std::make_unique<NullPageRenderer>(), "", PageBudget{.triangles = 1000}) {}
+};
+
+TEST_F(FrontOfFewTriangles, ASavedPictureSaysThatItIsSimplified) {
+  ASSERT_TRUE(open());
+  line("picture one.png");
+  EXPECT_THAT(png_description(downloads_["one.png"]), HasSubstr("simplified, "));
+  replay("screenshot two.png\n");
+  ASSERT_TRUE(until([this] { return has_message("replayed"); }));
+  EXPECT_THAT(png_description(downloads_["two.png"]), HasSubstr("simplified, "));
+  for (const char* const saved : {"saved one.png: simplified, ", "saved two.png: simplified, "})
+    EXPECT_TRUE(until([&] { return has_message(saved); })) << saved;
+}
+
+TEST_F(FrontService, APictureOfFullDetailSaysNothingOfItself) {
+  ASSERT_TRUE(open());
+  line("picture one.png");
+  ASSERT_TRUE(downloads_.contains("one.png"));
+  EXPECT_EQ(png_description(downloads_["one.png"]), "");
+  EXPECT_FALSE(has_message("simplified"));
 }
 
 TEST_F(FrontService, AServerThatDoesNotAnswerIsAProblem) {

@@ -7,6 +7,7 @@
 
 #include "common/generate/generate.h"
 #include "common/mesh/io/mesh_io.h"
+#include "tests/client/scene/png_description.h"
 #include "tests/system/server_process.h"
 
 namespace burnish {
@@ -98,6 +99,19 @@ TEST(Script, LightUpAxisViewAndProjectionChangeThePicture) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   for (size_t i = 1; i < pictures.size(); ++i)
     EXPECT_NE(content_of(pictures[i]), content_of(pictures[i - 1])) << i;
+}
+
+TEST(Script, APictureWithoutFullDetailSaysSo) {
+  ServerProcess server;
+  const auto picture = server.folder / "a.png";
+  const std::string script =
+      "open " + write_sphere(server.folder, 4) + "\nscreenshot " + picture.string() + "\n";
+  const CommandOutcome outcome = run_script(server, script, {"--triangles", "1000"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_THAT(png_description(content_of(picture)), testing::HasSubstr("simplified, "));
+  EXPECT_THAT(outcome.output, testing::HasSubstr("warning: saved " + picture.string()));
+  EXPECT_EQ(run_script(server, script).exit_code, 0);
+  EXPECT_EQ(png_description(content_of(picture)), "");
 }
 
 TEST(Script, ACameraThatIsPlacedStaysWhenThePictureGetsAnotherSize) {

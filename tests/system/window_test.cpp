@@ -2,7 +2,11 @@
 #include <filesystem>
 #include <optional>
 
+#include <gmock/gmock.h>
+
 #include "client/scene/png_reader.h"
+#include "common/base/text_lines.h"
+#include "tests/client/scene/png_description.h"
 #include "tests/system/link.h"
 #include "tests/system/window_fixture.h"
 
@@ -110,28 +114,52 @@ int ring_pixels(const Image& image) {
   return count;
 }
 
-std::optional<std::filesystem::path> picture_in(const std::filesystem::path& folder) {
-  for (const auto& file : std::filesystem::directory_iterator(folder))
-    if (file.path().extension() == ".png") return file.path();
-  return std::nullopt;
-}
+/// A window that saves its pictures in a folder of the test.
+class PictureWindow : public WindowTest {
+ protected:
+  void open_in_folder() {
+    const auto before = std::filesystem::current_path();
+    std::filesystem::create_directory(folder());
+    std::filesystem::current_path(folder());  // of the window too
+    open_window();
+    std::filesystem::current_path(before);
+  }
 
-TEST_F(WindowTest, ASavedPictureHasNoRing) {
-  const auto before = std::filesystem::current_path();
-  const auto folder = server_->folder / "pictures";
-  std::filesystem::create_directory(folder);
-  std::filesystem::current_path(folder);  // of the window too
-  open_window();
-  std::filesystem::current_path(before);
+  std::optional<std::filesystem::path> saved_picture() {
+    screen_->key({"F12"});
+    std::optional<std::filesystem::path> found;
+    eventually([&] {
+      for (const auto& file : std::filesystem::directory_iterator(folder()))
+        if (file.path().extension() == ".png") found = file.path();
+      return found.has_value();
+    });
+    return found;
+  }
+
+ private:
+  std::filesystem::path folder() const { return server_->folder / "pictures"; }
+};
+
+TEST_F(PictureWindow, ASavedPictureHasNoRing) {
+  open_in_folder();
   settle();
   screen_->move(kPictureX, kPictureY);
   EXPECT_TRUE(eventually([&] { return ring_pixels(screen_->capture()) > 50; }));
-  screen_->key({"F12"});
-  ASSERT_TRUE(eventually([&] { return picture_in(folder).has_value(); }));
-  const auto saved = read_png(*picture_in(folder), kImageSidePixelsMax);
+  const auto file = saved_picture();
+  ASSERT_TRUE(file.has_value());
+  const auto saved = read_png(*file, kImageSidePixelsMax);
   ASSERT_TRUE(saved.is_ok()) << saved.status().message();
   EXPECT_EQ(ring_pixels(*saved), 0);
+  EXPECT_EQ(png_description(read_text_file(*file).value()), "");
   EXPECT_TRUE(eventually([&] { return ring_pixels(screen_->capture()) > 50; }));
+}
+
+TEST_F(PictureWindow, ASavedPictureSaysThatItIsSimplified) {
+  more_words_ = {"--triangles", "1000"};
+  open_in_folder();
+  const auto file = saved_picture();
+  ASSERT_TRUE(file.has_value());
+  EXPECT_THAT(png_description(read_text_file(*file).value()), testing::HasSubstr("simplified, "));
 }
 
 // At 200 % there is one column, and the history is near its end.

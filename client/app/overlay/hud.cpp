@@ -56,7 +56,7 @@ void Hud::draw(Workspace& workspace) {
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoSavedSettings);
   const Chip chip = chip_of(document);
   ImGui::TextColored(chip.colour, "%s", chip.text);
-  const std::string simplified = simplified_text(document.surface().status());
+  const std::string simplified = text_by_picture(document.surface().status());
   if (!simplified.empty()) faint_text("%s", simplified.c_str());
   if (shows_figures && has_room && document.stats().frames > 0) draw_stats(document);
   if (workspace.viewport.navigate_mode) faint_text("left button turns the view (N)");

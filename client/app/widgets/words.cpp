@@ -1,6 +1,5 @@
 #include "client/app/widgets/words.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <ctime>
 #include <imgui.h>
@@ -32,14 +31,8 @@ std::string day_of(int64_t unix_seconds) {
   return text;
 }
 
-std::string simplified_text(const CutStatus& status) {
-  if (status.is_full_detail || status.reason == CutReason::kMoving) return {};
-  // A picture with all triangles in sight may have coarse ones at its border.
-  const double percent = std::min(100 * status.drawn_part(), 99.0);
-  char text[32];
-  std::snprintf(text, sizeof text, percent < 10 ? "simplified, %.2g %%" : "simplified, %.0f %%",
-                percent);
-  return text;
+std::string text_by_picture(const CutStatus& status) {
+  return status.reason == CutReason::kMoving ? std::string() : simplified_text(status);
 }
 
 static bool is_inside_letter(char byte) {

@@ -18,7 +18,7 @@ std::string day_of(int64_t unix_seconds);
 
 /// Returns what to say by a picture: "simplified, 40 %", or nothing of one that has full detail, or
 /// moves.
-std::string simplified_text(const CutStatus& status);
+std::string text_by_picture(const CutStatus& status);
 
 /// Returns the beginning of the text that fits a width in pixels, with "…" for the rest.
 std::string cut_to(const std::string& text, float width);

@@ -264,9 +264,21 @@ bool Document::is_settled() const {
 }
 
 bool Document::is_picture_fine() const {
-  const bool has_seams = !finder_.seams() || *finder_.seams() == seams_now();
-  return surface_->is_settled() && !finder_.is_finding() && has_seams && !is_fetching_values_ &&
-         !is_fetching_over_;
+  return surface_->is_settled() && !finder_.is_finding() && has_newest_seams() &&
+         !is_fetching_values_ && !is_fetching_over_;
+}
+
+bool Document::has_all_colours() const {
+  if (is_fetching_values_ || is_fetching_over_) return false;
+  if (colour_ != ColourBy::kScan || !has_textures()) return true;
+  return !finder_.is_finding() && !has_no_textures_yet_ && has_newest_seams() &&
+         surface_->has_all_texels();
+}
+
+std::string Document::picture_lack() const {
+  const std::string simplified = simplified_text(surface_->status());
+  if (!simplified.empty()) return simplified;
+  return has_all_colours() ? std::string() : "colours incomplete";
 }
 
 // Presets, and which of them is in force.

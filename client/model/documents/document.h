@@ -233,6 +233,9 @@ class Document {
   bool is_picture_fine() const;
   /// Returns true if it also shows the session's values, and no trial.
   bool is_picture_settled() const { return is_picture_fine() && !may_show_trial(); }
+  /// Returns what the picture of the last look() lacks, in the words of mark_picture(); empty:
+  /// nothing.
+  std::string picture_lack() const;
   /// Returns true if the session has ended.
   bool has_ended() const { return link_ == LinkState::kEnded; }
 
@@ -265,6 +268,8 @@ class Document {
   std::optional<EdgeFilter> filter_for_paint() const;
   bool has_textures() const { return has_colours() && surface_->texture_bytes_max() > 0; }
   SeamsOfSession seams_now() const;
+  bool has_newest_seams() const { return !finder_.seams() || *finder_.seams() == seams_now(); }
+  bool has_all_colours() const;
   SheetFinder::Describe describe_sheets() const;
   void find_textures();
   void take_textures(const Result<SheetsDescription>& found);

@@ -7,6 +7,7 @@
 #include "client/model/files/scan_files.h"
 #include "client/model/workspace/session_pictures.h"
 #include "client/model/workspace/workspace.h"
+#include "client/scene/picture_mark.h"
 #include "common/mesh/rewrite/left_out/left_out.h"
 
 namespace burnish {
@@ -197,6 +198,13 @@ void Workspace::keep_session_picture() {
 Status Workspace::check_picture() const {
   if (!document_ || !document_->may_show_trial()) return Status::ok();
   return unavailable("the server has not ended the trial of a strength, and the picture shows it");
+}
+
+Result<Image> Workspace::read_picture() const {
+  ASSIGN_OR_RETURN(Image image, renderer_.read_pixels());
+  const std::string lack = document_ ? document_->picture_lack() : std::string();
+  if (!lack.empty()) mark_picture(image, lack);
+  return image;
 }
 
 const StrengthStrip::Picture* Workspace::keep_strength_picture() {

@@ -34,7 +34,7 @@ void Front::answer(const std::string& line, const Status& status) {
 }
 
 void Front::do_line(const std::string& line) {
-  FrontParts parts{workspace_, renderer_, state_, host_};
+  FrontParts parts{workspace_, state_, host_};
   const Status done = do_front_line(line, parts);
   if (!done.is_ok()) answer(line, done);
 }

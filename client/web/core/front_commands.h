@@ -12,7 +12,6 @@ namespace burnish {
 /// The objects that a line of the page works on.
 struct FrontParts {
   Workspace& workspace;
-  PageRenderer& renderer;
   FrontState& state;
   const FrontHost& host;
 };

@@ -43,9 +43,10 @@ Status do_record(const FrontWords& line, FrontParts& parts) {
 Status save_picture(const FrontParts& parts, const std::string& name) {
   RETURN_IF_ERROR(parts.workspace.check_picture());
   RETURN_IF_ERROR(parts.workspace.draw());
-  ASSIGN_OR_RETURN(const Image image, parts.renderer.read_pixels());
+  ASSIGN_OR_RETURN(const Image image, parts.workspace.read_picture());
   parts.workspace.record_picture(name);
   parts.host.download(name, stored_png(image));
+  if (!image.note.empty()) parts.workspace.log.warning("saved " + name + ": " + image.note);
   return Status::ok();
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "client/scene/png_note.h"
 #include "common/transfer/chunk.h"
 
 namespace burnish {
@@ -67,6 +68,7 @@ std::string stored_png(const Image& image) {
   head += {8, 2, 0, 0, 0};  // 8 bits, RGB, and the only methods that there are
   std::string png("\x89PNG\r\n\x1a\n", 8);
   add_part("IHDR", head, png);
+  if (!image.note.empty()) add_part("tEXt", png_note(image.note), png);
   add_part("IDAT", stored(rows_of(image)), png);
   add_part("IEND", "", png);
   return png;

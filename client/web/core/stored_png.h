@@ -6,8 +6,8 @@
 
 namespace burnish {
 
-/// Returns a picture as PNG whose pixels are not compressed: every reader takes it, and it needs no
-/// library.
+/// Returns a picture as PNG with its note. Its pixels are not compressed: every reader takes it,
+/// and it needs no library.
 std::string stored_png(const Image& image);
 
 }  // namespace burnish

@@ -15,14 +15,14 @@ CutStatus status_of(CutReason reason, uint64_t drawn) {
 }
 
 TEST(Words, APictureWhosePagesAreOnTheirWayIsSimplified) {
-  EXPECT_EQ(simplified_text(status_of(CutReason::kLoading, 400)), "simplified, 40 %");
-  EXPECT_EQ(simplified_text(status_of(CutReason::kLoading, 53)), "simplified, 5.3 %");
-  EXPECT_EQ(simplified_text(status_of(CutReason::kFailed, 2000)), "simplified, 99 %");
+  EXPECT_EQ(text_by_picture(status_of(CutReason::kLoading, 400)), "simplified, 40 %");
+  EXPECT_EQ(text_by_picture(status_of(CutReason::kLoading, 53)), "simplified, 5.3 %");
+  EXPECT_EQ(text_by_picture(status_of(CutReason::kFailed, 2000)), "simplified, 99 %");
 }
 
 TEST(Words, NothingIsSaidOfFullDetailAndOfMovingPictures) {
-  EXPECT_EQ(simplified_text(status_of(CutReason::kNone, 400)), "");
-  EXPECT_EQ(simplified_text(status_of(CutReason::kMoving, 400)), "");
+  EXPECT_EQ(text_by_picture(status_of(CutReason::kNone, 400)), "");
+  EXPECT_EQ(text_by_picture(status_of(CutReason::kMoving, 400)), "");
 }
 
 }  // namespace

@@ -33,6 +33,16 @@ TEST(CutStatus, TheDrawnPartTheWholeAndTheReasonAreSaid) {
   EXPECT_THAT(status_text(status_of(CutReason::kFailed)), HasSubstr("3 pieces"));
 }
 
+TEST(CutStatus, APictureWithoutFullDetailIsSimplified) {
+  EXPECT_EQ(simplified_text(status_of(CutReason::kNone)), "");
+  EXPECT_EQ(simplified_text(status_of(CutReason::kMoving)), "simplified, 12 %");
+  CutStatus status = status_of(CutReason::kLoading);
+  status.triangles_drawn = 22'500;
+  EXPECT_EQ(simplified_text(status), "simplified, 1 %");
+  status.triangles_drawn = 2'250'000;
+  EXPECT_EQ(simplified_text(status), "simplified, 99 %") << "coarse ones lie at its border";
+}
+
 TEST(CutStatus, TheDrawnPartIsAtMostOne) {
   CutStatus status;
   EXPECT_EQ(status.drawn_part(), 1) << "nothing is in view";

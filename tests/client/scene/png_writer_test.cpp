@@ -5,6 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/base/text_lines.h"
+#include "tests/client/scene/png_description.h"
+
 namespace burnish {
 namespace {
 
@@ -42,6 +45,17 @@ TEST_F(PngWriter, PixelsComeBackAsTheyWere) {
   std::vector<uint8_t> pixels(PNG_IMAGE_SIZE(header));
   ASSERT_TRUE(png_image_finish_read(&header, nullptr, pixels.data(), 0, nullptr));
   EXPECT_EQ(pixels, image.rgb);
+}
+
+TEST_F(PngWriter, ANoteIsTheDescriptionInTheFile) {
+  Image image = make_gradient(37, 19);
+  const auto description = [&] {
+    EXPECT_TRUE(write_png(image, folder_ / "a.png").is_ok());
+    return png_description(read_text_file(folder_ / "a.png").value());
+  };
+  EXPECT_EQ(description(), "");
+  image.note = "simplified, 40 %";
+  EXPECT_EQ(description(), "simplified, 40 %");
 }
 
 TEST_F(PngWriter, SizesOutsideTheLimitsAreNamed) {

@@ -109,6 +109,7 @@ TEST_F(LoadedSheets, EveryDrawnPageGetsATexture) {
   question_.is_at_rest = true;
   settle();
   ASSERT_TRUE(loader_.is_settled());
+  EXPECT_TRUE(loader_.has_all());
   for (const PageId page : drawn_) EXPECT_NE(loader_.texture(page), nullptr) << page;
   EXPECT_EQ(loader_.texture(60), nullptr);
 }
@@ -164,6 +165,7 @@ TEST_F(LoadedSheets, ADamagedSheetIsAskedForOnceMoreAndThenLeft) {
   look();
   look();
   EXPECT_TRUE(loader_.is_settled());
+  EXPECT_FALSE(loader_.has_all());
 }
 
 TEST_F(LoadedSheets, WhatNoPictureDrewIsNotKept) {
@@ -183,6 +185,7 @@ TEST_F(FewSheets, AllAreCoarserWhereTheBudgetIsSmall) {
   question_.is_at_rest = true;
   settle();
   ASSERT_TRUE(loader_.is_settled());
+  EXPECT_FALSE(loader_.has_all());
   for (const PageId page : drawn_) ASSERT_NE(loader_.texture(page), nullptr) << page;
   EXPECT_LE(loader_.store().bytes(), kBudget);
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "client/scene/png_reader.h"
+#include "tests/client/scene/png_description.h"
 #include "tests/common/temporary_folder.h"
 
 namespace burnish {
@@ -16,6 +17,13 @@ TEST(StoredPng, AnotherReaderFindsTheSamePixels) {
   ASSERT_TRUE(read.is_ok()) << read.status().message();
   EXPECT_EQ(read->size, image.size);
   EXPECT_EQ(read->rgb, image.rgb);
+}
+
+TEST(StoredPng, ANoteIsItsDescription) {
+  Image image{{20, 16}, std::vector<uint8_t>(3 * 20 * 16, 90)};
+  EXPECT_EQ(png_description(stored_png(image)), "");
+  image.note = "simplified, 40 %";
+  EXPECT_EQ(png_description(stored_png(image)), "simplified, 40 %");
 }
 
 }  // namespace

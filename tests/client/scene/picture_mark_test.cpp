@@ -1,0 +1,61 @@
+#include "client/scene/picture_mark.h"
+
+#include <gtest/gtest.h>
+
+namespace burnish {
+namespace {
+
+constexpr uint8_t kGrey = 120;
+
+Image grey(int width, int height) {
+  return {{width, height}, std::vector<uint8_t>(size_t{3} * width * height, kGrey)};
+}
+
+bool is_marked(const Image& image, int x, int y) {
+  return image.pixel(x, y)[0] != kGrey;
+}
+
+int bright_pixels(const Image& image) {
+  int count = 0;
+  for (size_t i = 0; i < image.rgb.size(); i += 3) count += image.rgb[i] > kGrey;
+  return count;
+}
+
+TEST(PictureMark, WordsStandInTheLowerLeftCornerAlone) {
+  Image image = grey(400, 300);
+  mark_picture(image, "simplified, 40 %");
+  EXPECT_EQ(image.note, "simplified, 40 %");
+  EXPECT_TRUE(is_marked(image, 0, 299));
+  EXPECT_GT(bright_pixels(image), 100);
+  for (int y = 0; y < 300; ++y)
+    for (int x = 0; x < 400; ++x) {
+      if (x < 110 && y >= 280) continue;
+      ASSERT_FALSE(is_marked(image, x, y)) << x << " " << y;
+    }
+}
+
+TEST(PictureMark, EachLetterHasAShapeOfItsOwn) {
+  std::vector<Image> seen;
+  for (const char letter : std::string("%,.0123456789abcdefghijklmnopqrstuvwxyz")) {
+    Image image = grey(16, 16);
+    mark_picture(image, std::string(1, letter));
+    EXPECT_GT(bright_pixels(image), 0) << letter;
+    for (const Image& other : seen) EXPECT_NE(image.rgb, other.rgb) << letter;
+    seen.push_back(std::move(image));
+  }
+}
+
+TEST(PictureMark, WordsGrowWithThePictureAsFarAsTheyFit) {
+  const auto ink_in = [](int width, int height) {
+    Image image = grey(width, height);
+    mark_picture(image, "simplified, 40 %");
+    return bright_pixels(image);
+  };
+  const int small = ink_in(400, 300);
+  EXPECT_EQ(ink_in(1200, 900), 4 * small);
+  EXPECT_EQ(ink_in(150, 900), small);
+  EXPECT_GT(ink_in(16, 16), 0);
+}
+
+}  // namespace
+}  // namespace burnish
