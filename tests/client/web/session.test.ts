@@ -31,6 +31,18 @@ test("MousePaintsInPixelsOfThePicture", () =>
     { deviceScaleFactor: 2 },
   ));
 
+test("PictureHasThePixelsOfTheScreenThatLieBetweenItsEdges", () =>
+  bench.visitSession(
+    async (visit) => {
+      const box = (await visit.page.getByRole("img", { name: "Picture of tablet" }).boundingBox())!;
+      const pixel = (at: number) => Math.round(at * 1.25);
+      const width = pixel(box.x + box.width) - pixel(box.x);
+      assert.notEqual(width, pixel(box.width), "its edges lie between pixels");
+      await visit.message("resize", { width, height: pixel(box.y + box.height) - pixel(box.y) });
+    },
+    { deviceScaleFactor: 1.25, viewport: { width: 1024, height: 700 } },
+  ));
+
 test("TwoFingersTurnAndPinchButDoNotPaint", () =>
   bench.visitSession(async (visit) => {
     const box = (await visit.page.getByRole("img", { name: "Picture of tablet" }).boundingBox())!;

@@ -44,12 +44,18 @@ export function Picture({ document, opening = "" }: { document: Document | null;
   );
 }
 
-/** The size that the picture has, or will have: a session that opens is framed for it. */
+/**
+ * The size that the picture has, or will have: a session that opens is framed for it. Browsers lay a box's edges on
+ * pixels of the screen: a canvas of another size would be scaled, and blurred.
+ */
 function sizeOf(place: HTMLElement): { width: number; height: number } {
   const shown = [place, place.parentElement!].find((one) => one.clientWidth > 0);
   const box = shown?.getBoundingClientRect() ?? expectedBox(place);
-  const pixels = (length: number) => Math.max(16, Math.round(length * devicePixelRatio));
-  return { width: pixels(box.width), height: pixels(box.height) };
+  const pixel = (at: number) => Math.round(at * devicePixelRatio);
+  return {
+    width: Math.max(16, pixel(box.right) - pixel(box.left)),
+    height: Math.max(16, pixel(box.bottom) - pixel(box.top)),
+  };
 }
 
 /** Lays an empty session out where the start page is. */
