@@ -51,6 +51,7 @@ class Engine {
     });
   }
 
+  worker = () => this.visit.page.workers().find((one) => one.url().endsWith("/real_engine.js"))!;
   heard = () => this.visit.page.evaluate(() => window.heard);
 }
 
@@ -104,7 +105,7 @@ const noteWidths = (worker: Driven) =>
 test("SizeThatIsTheSameDoesNotEmptyTheCanvas", () =>
   withEngine(async (engine) => {
     await engine.said("started with 'text of before'");
-    const worker = engine.visit.page.workers().find((one) => one.url().endsWith("/real_engine.js"))!;
+    const worker = engine.worker();
     await noteWidths(worker);
     for (const width of [64, 80, 80]) {
       await engine.send({ kind: "resize", width, height: 48, pixelRatio: 1 });
@@ -131,18 +132,37 @@ test("FileIsReadFromWhereTheCoreWants", () =>
     await engine.said("from 2: 23456");
   }));
 
+/** Has the core decode a picture of 8 by 4 pixels, with this size and with another one. */
+const importPicture = (engine: Engine) =>
+  engine.visit.page.evaluate(async () => {
+    const canvas = new OffscreenCanvas(8, 4);
+    const context = canvas.getContext("2d", { alpha: false })!;
+    context.fillStyle = "rgb(200 100 50)";
+    context.fillRect(0, 0, 8, 4);
+    const file = new File([await canvas.convertToBlob({ type: "image/webp", quality: 1 })], "8x4.webp");
+    window.engine.postMessage({ kind: "import", file });
+  });
+
 test("PictureIsDecodedIfItHasTheSizeThatTheCoreKnows", () =>
   withEngine(async (engine) => {
-    await engine.visit.page.evaluate(async () => {
-      const canvas = new OffscreenCanvas(8, 4);
-      const context = canvas.getContext("2d", { alpha: false })!;
-      context.fillStyle = "rgb(200 100 50)";
-      context.fillRect(0, 0, 8, 4);
-      const file = new File([await canvas.convertToBlob({ type: "image/webp", quality: 1 })], "8x4.webp");
-      window.engine.postMessage({ kind: "import", file });
-    });
+    await importPicture(engine);
     await engine.said("image 1: 200 100 50 255");
     await engine.said("image 2: none");
+  }));
+
+test("NoPictureIsDecodedWhereTheBrowserGivesNoiseForPixels", () =>
+  withEngine(async (engine) => {
+    await engine.said("started with 'text of before'");
+    await engine.worker().evaluate(() => {
+      const { getImageData } = OffscreenCanvasRenderingContext2D.prototype;
+      OffscreenCanvasRenderingContext2D.prototype.getImageData = function (...place) {
+        const image = getImageData.apply(this, place);
+        image.data.forEach((_, i) => (image.data[i] = (97 * i) % 256));
+        return image;
+      };
+    });
+    await importPicture(engine);
+    await engine.said("image 1: none");
   }));
 
 test("DownloadComesWholeOrNotAtAll", () =>

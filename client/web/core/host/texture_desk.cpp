@@ -13,6 +13,9 @@ namespace {
 
 /// So many pictures are decoded at once. The rest waits, so that a turn opens few sheets.
 constexpr int kImagesMax = 4;
+constexpr const char* kNoPixels =
+    "the browser cannot decode the WebP, or hides its pixels (Firefox: "
+    "privacy.resistFingerprinting)";
 
 /// The browser decodes the texels, which are opaque: open_texture() has checked all else.
 class HostDesk final : public TextureDesk {
@@ -69,9 +72,7 @@ class HostDesk final : public TextureDesk {
   void finish(OpenedTexture opened, const uint8_t* rgba) {
     --images_;
     begin();
-    if (rgba == nullptr)
-      return add(finish_texture(std::move(opened), data_loss("the browser cannot decode the WebP"),
-                                grid_));
+    if (rgba == nullptr) return add(finish_texture(std::move(opened), data_loss(kNoPixels), grid_));
     std::vector<Rgba8> texels(opened.sheet.layout.texels());
     std::memcpy(texels.data(), rgba, texels.size() * sizeof(Rgba8));
     add(finish_texture(std::move(opened), std::move(texels), grid_));
