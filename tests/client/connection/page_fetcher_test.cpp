@@ -4,6 +4,7 @@
 #include <chrono>
 #include <map>
 #include <optional>
+#include <span>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -101,9 +102,9 @@ TEST_F(FetchedPages, SheetsComeAfterPagesByACallOfTheirOwn) {
   for (const PageItem item : sheets) expect_good(item);
   // Two calls are under way at once, so the server may see the last two in either order.
   const std::vector<std::vector<PageItem>> calls = server_.seen().calls;
-  ASSERT_THAT(calls, SizeIs(6));
-  EXPECT_THAT(calls, Contains(sheets));
-  EXPECT_THAT(std::vector(calls.begin(), calls.begin() + 4), Not(Contains(sheets)));
+  ASSERT_GT(calls.size(), 2u);
+  EXPECT_THAT(std::span(calls).last(2), Contains(sheets));
+  EXPECT_THAT(std::span(calls).first(calls.size() - 2), Not(Contains(sheets)));
 }
 
 TEST_F(FetchedPages, SheetsThatTheServerLeavesOutFail) {
