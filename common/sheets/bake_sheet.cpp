@@ -41,20 +41,34 @@ class SheetBaker {
   TexelGrid bake(size_t chart, const TexelSize& size) const {
     ChartBaker baker(chart_mapping(charts_.charts[chart], wish_.texels_per_step, {}), size,
                      wish_.samples_per_side);
-    Box3d box;
-    for (const uint16_t t : triangles_[chart]) {
-      const std::array<Vec3d, 3> corners = page_corners(page_, t);
-      baker.add_target(corners);
-      for (const Vec3d& corner : corners) box.extend(corner);
-    }
+    const Box3d box = add_targets(baker, chart, ChartBaker::Drawing::kTriangles);
+    if (baker.is_bare()) add_targets(baker, chart, ChartBaker::Drawing::kNeedles);
     baker.dilate();
-    for (const uint32_t t : boxes_.near(widened(box))) baker.add_source(t, source_.triangles[t]);
+    const std::vector<uint32_t> sources = boxes_.near(widened(box));
+    add_sources(baker, sources, ChartBaker::Drawing::kTriangles);
+    if (baker.is_unmet()) add_sources(baker, sources, ChartBaker::Drawing::kNeedles);
     TexelGrid grid = baker.resolve(source_);
     push_pull(grid);
     return grid;
   }
 
  private:
+  /// Returns the box around the chart's triangles.
+  Box3d add_targets(ChartBaker& baker, size_t chart, ChartBaker::Drawing drawing) const {
+    Box3d box;
+    for (const uint16_t t : triangles_[chart]) {
+      const std::array<Vec3d, 3> corners = page_corners(page_, t);
+      baker.add_target(corners, drawing);
+      for (const Vec3d& corner : corners) box.extend(corner);
+    }
+    return box;
+  }
+
+  void add_sources(ChartBaker& baker, const std::vector<uint32_t>& sources,
+                   ChartBaker::Drawing drawing) const {
+    for (const uint32_t t : sources) baker.add_source(t, source_.triangles[t], drawing);
+  }
+
   /// Adds what a source may lie beside the page: the gutter with its reach, and the difference of
   /// two levels of a surface, which is a part of the chart's own size.
   Box3d widened(const Box3d& box) const {

@@ -24,11 +24,28 @@ ChartBaker::ChartBaker(const ChartMapping& mapping, const TexelSize& size, int s
       depths_(size_t(width_) * height_, kNoDepth),
       hits_(depths_.size()) {}
 
-void ChartBaker::add_target(const std::array<Vec3d, 3>& corners) {
+template <typename Visit>
+void ChartBaker::draw(const std::array<Vec2d, 3>& corners, Drawing drawing,
+                      const Visit& visit) const {
+  if (drawing == Drawing::kNeedles)
+    draw_needle(corners, width_, height_, visit);
+  else
+    draw_triangle(corners, width_, height_, visit);
+}
+
+void ChartBaker::add_target(const std::array<Vec3d, 3>& corners, Drawing drawing) {
   const Vec3d depths = depths_of(corners);
-  draw_triangle(flat(corners), width_, height_, [&](int x, int y, const Vec3d& weights) {
+  draw(flat(corners), drawing, [&](int x, int y, const Vec3d& weights) {
     depths_[at(x, y)] = static_cast<float>(weights.dot(depths));
   });
+}
+
+bool ChartBaker::is_bare() const {
+  return std::ranges::all_of(depths_, [](float depth) { return std::isnan(depth); });
+}
+
+bool ChartBaker::is_unmet() const {
+  return std::ranges::all_of(hits_, [](const Hit& hit) { return hit.triangle == UINT32_MAX; });
 }
 
 void ChartBaker::dilate() {
@@ -58,11 +75,12 @@ std::vector<ChartBaker::Sample> ChartBaker::widen(const std::vector<Sample>& fro
   return wider;
 }
 
-void ChartBaker::add_source(uint32_t triangle, const std::array<Vec3d, 3>& corners) {
+void ChartBaker::add_source(uint32_t triangle, const std::array<Vec3d, 3>& corners,
+                            Drawing drawing) {
   const std::array<Vec2d, 3> on_raster = flat(corners);
   if (is_outside(on_raster)) return;
   const Vec3d depths = depths_of(corners);
-  draw_triangle(on_raster, width_, height_, [&](int x, int y, const Vec3d& weights) {
+  draw(on_raster, drawing, [&](int x, int y, const Vec3d& weights) {
     const size_t i = at(x, y);
     const float distance = std::abs(static_cast<float>(weights.dot(depths)) - depths_[i]);
     if (!(distance < hits_[i].distance)) return;  // true for NaN

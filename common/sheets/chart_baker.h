@@ -18,14 +18,21 @@ class ChartBaker {
   /// `mapping`: to texels of the chart alone, gutter included; `size`: with the gutter.
   ChartBaker(const ChartMapping& mapping, const TexelSize& size, int samples_per_side);
 
+  /// Draws needles for triangles that are too thin to hold a sample's centre.
+  enum class Drawing { kTriangles, kNeedles };
+
   /// Draws a triangle of the page.
-  void add_target(const std::array<Vec3d, 3>& corners);
+  void add_target(const std::array<Vec3d, 3>& corners, Drawing drawing);
+  /// Returns whether no sample lies in the targets so far.
+  bool is_bare() const;
 
   /// Continues the page's surface over the gutter. Call once, after the last add_target().
   void dilate();
 
   /// Draws a triangle of the source where it is nearer than those before. Needs: dilate().
-  void add_source(uint32_t triangle, const std::array<Vec3d, 3>& corners);
+  void add_source(uint32_t triangle, const std::array<Vec3d, 3>& corners, Drawing drawing);
+  /// Returns whether no sample has met a source so far.
+  bool is_unmet() const;
 
   /// Returns the texels: means of the samples that have a hit.
   TexelGrid resolve(const BakeSource& source) const;
@@ -44,6 +51,8 @@ class ChartBaker {
   };
 
   size_t at(int x, int y) const { return size_t(y) * width_ + x; }
+  template <typename Visit>
+  void draw(const std::array<Vec2d, 3>& corners, Drawing drawing, const Visit& visit) const;
   std::array<Vec2d, 3> flat(const std::array<Vec3d, 3>& corners) const;
   Vec3d depths_of(const std::array<Vec3d, 3>& corners) const;
   bool is_outside(const std::array<Vec2d, 3>& corners) const;

@@ -61,4 +61,30 @@ void draw_triangle(const std::array<Vec2d, 3>& corners, int width, int height, V
     }
 }
 
+/// Calls visit(x, y, weights) for the pixels along the longest side of a triangle: for one that is
+/// too thin to hold a centre. Draws none that turns clockwise, and none beyond kRasterReach.
+template <typename Visit>
+void draw_needle(const std::array<Vec2d, 3>& corners, int width, int height, Visit&& visit) {
+  constexpr double kInside = 0.2;  // of the third corner
+  const Vec2d a = corners[1] - corners[0], b = corners[2] - corners[0];
+  if (a.x() * b.y() - a.y() * b.x() < 0) return;
+  int first = 0;
+  const auto side = [&](int k) { return (corners[(k + 1) % 3] - corners[k]).norm(); };
+  for (int k = 0; k < 3; ++k) {
+    if (!(corners[k].cwiseAbs().maxCoeff() <= kRasterReach)) return;
+    if (side(k) > side(first)) first = k;
+  }
+  const int steps = 1 + static_cast<int>(std::min<double>(2 * side(first), 2 * (width + height)));
+  for (int step = 0; step < steps; ++step) {
+    const double along = (step + 0.5) / steps;
+    Vec3d weights;
+    weights[first] = (1 - kInside) * (1 - along);
+    weights[(first + 1) % 3] = (1 - kInside) * along;
+    weights[(first + 2) % 3] = kInside;
+    const Vec2d at = weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
+    if (at.minCoeff() < 0 || at.x() >= width || at.y() >= height) continue;
+    visit(static_cast<int>(at.x()), static_cast<int>(at.y()), weights);
+  }
+}
+
 }  // namespace burnish

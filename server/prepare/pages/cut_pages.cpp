@@ -22,6 +22,7 @@ KdRule rule_of(const LevelToCut& level) {
   rule.ratio = kRatios[level.level % 2];
   rule.triangles = level.triangles;
   rule.texels = level.texels;
+  rule.positions = level.positions;
   return rule;
 }
 

@@ -12,17 +12,39 @@ namespace {
 
 constexpr size_t kTaskTriangles = 16384;  // for fewer, waking a thread takes longer
 
-int longest_axis(std::span<const TriangleCentre> piece) {
+/// Returns the sides of the box around a piece's centres, three times as long.
+std::array<double, 3> sides_of(std::span<const TriangleCentre> piece) {
   std::array<int32_t, 3> low = piece[0].at, high = piece[0].at;
   for (const TriangleCentre& centre : piece)
     for (int axis = 0; axis < 3; ++axis) {
       low[axis] = std::min(low[axis], centre.at[axis]);
       high[axis] = std::max(high[axis], centre.at[axis]);
     }
-  int longest = 0;
-  for (int axis = 1; axis < 3; ++axis)
-    if (high[axis] - low[axis] > high[longest] - low[longest]) longest = axis;
-  return longest;
+  std::array<double, 3> sides;
+  for (int axis = 0; axis < 3; ++axis) sides[axis] = double(high[axis]) - low[axis];
+  return sides;
+}
+
+/// Returns the mean sides of a piece's triangles, three times as long.
+Vec3d mean_sides(std::span<const TriangleCentre> piece, const KdRule& rule) {
+  Vec3d sum = Vec3d::Zero();
+  for (const TriangleCentre& centre : piece) {
+    const auto& [a, b, c] = rule.triangles[centre.triangle];
+    const Vec3i &p = rule.positions[a], &q = rule.positions[b], &r = rule.positions[c];
+    sum += (p.cwiseMax(q).cwiseMax(r) - p.cwiseMin(q).cwiseMin(r)).cast<double>();
+  }
+  return 3 * sum / static_cast<double>(piece.size());
+}
+
+/// Small pieces are not cut across their triangles: needles that alternate, as in strips, would
+/// lose the neighbours with which they share their sides.
+int axis_to_cut(std::span<const TriangleCentre> piece, const KdRule& rule) {
+  std::array<double, 3> sides = sides_of(piece);
+  if (rule.texels.matter()) {
+    const Vec3d of_triangles = mean_sides(piece, rule);
+    for (int axis = 0; axis < 3; ++axis) sides[axis] -= of_triangles[axis];
+  }
+  return static_cast<int>(std::ranges::max_element(sides) - sides.begin());
 }
 
 }  // namespace
@@ -64,7 +86,7 @@ void KdCut::split(size_t begin, size_t end) const {
     is_start_[begin] = 1;
     return;
   }
-  const int axis = longest_axis(piece);
+  const int axis = axis_to_cut(piece, rule_);
   const size_t first = size_of_first_part(piece.size());
   std::ranges::nth_element(piece, piece.begin() + first,
                            [axis](const TriangleCentre& a, const TriangleCentre& b) {

@@ -14,6 +14,7 @@ struct KdRule {
   size_t triangles_wanted = 0;  ///< of a page
   double ratio = 0.5;           ///< how much of a piece goes to its first part
   PageTexels texels = {};
+  std::span<const Vec3i> positions = {};  ///< per vertex; only where texels matter
 };
 
 /// Cuts pieces of a level in two until each fits a page.

@@ -53,6 +53,21 @@ TEST(BakeSheet, ACoarserSheetShowsTheFinerOne) {
   EXPECT_GT(sphere_levels().coarse_psnr(), 38);
 }
 
+TEST(BakeSheet, ATriangleThinnerThanATexelShowsItsSource) {
+  Page page;
+  page.positions = {{1000, 1000, 1000}, {9000, 1010, 1200}, {5000, 1015, 1100}};
+  page.triangles = {{0, 1, 2}};
+  page.patches = {{kNoPage, 1}};
+  const PageCharts charts = cut_charts(page, kFineDensity);
+  const BakeSource source = {
+      {{Vec3d(1000, 1000, 1000), Vec3d(9000, 1010, 1200), Vec3d(5000, 1015, 1100)}},
+      [](uint32_t, const Vec3d&) { return Texel::Constant(200); }};
+  for (const int samples : {1, 2}) {
+    const Sheet sheet = baked_sheet(page, charts, kFineDensity, source, samples);
+    for (const Rgba8& texel : sheet.texels) ASSERT_EQ(texel[0], 200) << samples;
+  }
+}
+
 /// Returns a roof whose sides face 60 degrees apart: a chart each. The left side comes first.
 Page roof_page() {
   Page page;

@@ -67,6 +67,25 @@ TEST_F(CutPages, PagesOfSeveralTrianglesHaveTheirTexelsAtMost) {
   EXPECT_LT(pages.count(), 3 * (10.0 * texels.size() + 100 * 900) / 2000);
 }
 
+TEST_F(CutPages, NeedlesOfAStripStayBesideTheirNeighbours) {
+  constexpr uint32_t kStrips = 1000;
+  TriangleMesh mesh;
+  for (uint32_t x = 0; x <= kStrips; ++x)
+    for (const double y : {0.0, 1.0}) mesh.vertices.push_back({x / double{kStrips}, y, 0});
+  for (uint32_t v = 0; v < 2 * kStrips; v += 2) {
+    mesh.triangles.push_back({v, v + 2, v + 3});
+    mesh.triangles.push_back({v, v + 3, v + 1});
+  }
+  const std::vector<float> texels(mesh.triangles.size(), 10);
+  const PageGroups pages = cut(mesh, 0, {texels, 1000});
+  EXPECT_GT(pages.count(), 20u);
+  size_t strips = 0;  // whole in one page
+  for (size_t page = 0; page < pages.count(); ++page)
+    for (size_t i = 1; i < pages[page].size(); ++i)
+      strips += pages[page][i] == pages[page][i - 1] + 1 && pages[page][i] % 2 == 1;
+  EXPECT_GT(strips, 0.9 * kStrips);
+}
+
 TEST_F(CutPages, SeveralRunsOfTheCurveHoldEveryTriangleOnce) {
   const TriangleMesh mesh = scan_of_kind("icosphere", 400'000);
   const PageGroups pages = cut(mesh, 3);

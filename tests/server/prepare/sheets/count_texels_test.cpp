@@ -55,7 +55,7 @@ TEST_F(CountTexels, ManyLargePicturesMakeFullerPagesInsteadOfMore) {
   textures_.coordinates[3] = {1e6f, 0};
   textures_.triangles.assign(100'000, {0, {0, 3, 2}});
   const CountedTexels counted = count().value();
-  EXPECT_NEAR(counted.of_page_max, 100'000 / 2048.0 * 1024 * 1024, 1);
+  EXPECT_NEAR(counted.of_page_max, 100'000 / 1024.0 * 1024 * 1024, 1);
 }
 
 TEST_F(CountTexels, APictureThatRepeatsOftenMakesNoPageBeyondSixteenOfItself) {
