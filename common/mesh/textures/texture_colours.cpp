@@ -5,7 +5,9 @@
 #include <numeric>
 #include <optional>
 #include <span>
+#include <string_view>
 
+#include "common/mesh/agreeing_vertices.h"
 #include "common/mesh/srgb.h"
 #include "common/mesh/textures/shown_picture.h"
 #include "common/mesh/textures/texture_sweep.h"
@@ -16,6 +18,7 @@ namespace burnish {
 namespace {
 
 constexpr Rgba8 kWhite = {255, 255, 255, 255};
+constexpr uint64_t kJoiningBytes = 25;  // per vertex, of least_that_agree()
 
 /// Sums the colours of a mesh's vertices, weighted by area.
 class TexturePainter {
@@ -65,6 +68,23 @@ class TexturePainter {
       for (const uint32_t v : mesh_.triangles[t])
         if (sums_[v][3] == 0) sums_[v] = plain_of(t);
     }
+  }
+
+  /// Gives vertices that look alike at one place the mean of all, so that a seam shows no line.
+  /// Fails: cancelled, as the budget hears.
+  Status join_alike() try {
+    const Progress goes_on = [this](std::string_view, double) { return hear(budget_).is_ok(); };
+    MeshView plain;
+    plain.vertices = mesh_.vertices;
+    plain.triangles = mesh_.triangles;
+    const ScratchArray<uint32_t> least = least_that_agree(plain, {}, {goes_on, {}});
+    for (uint32_t v = 0; v < least.size(); ++v)
+      if (least[v] != v) sums_[least[v]] += sums_[v];
+    for (uint32_t v = 0; v < least.size(); ++v) sums_[v] = sums_[least[v]];
+    return Status::ok();
+  } catch (const WorkCancelled&) {
+    RETURN_IF_ERROR(hear(budget_));
+    return cancelled("joining colours was cancelled");
   }
 
   std::vector<Rgba8> colours() const {
@@ -177,7 +197,8 @@ class TexturePainter {
   uint64_t held_bytes() const {
     return textures_.triangles.size() * sizeof(TexturedTriangle) +
            textures_.coordinates.size() * sizeof textures_.coordinates[0] +
-           sums_.size() * sizeof sums_[0] + by_picture_.size() * sizeof by_picture_[0];
+           sums_.size() * (sizeof sums_[0] + kJoiningBytes) +
+           by_picture_.size() * sizeof by_picture_[0];
   }
 
   const TriangleMesh& mesh_;
@@ -202,7 +223,7 @@ Status paint(TexturePainter& painter, const SurfaceTextures& textures, const std
     if (!can_be_left_out(painted, textures)) return painted;
     painter.paint_rest(picture);
   }
-  return Status::ok();
+  return painter.join_alike();
 }
 
 bool is_one_colour(const std::vector<Rgba8>& colours) {

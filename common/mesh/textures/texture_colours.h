@@ -10,8 +10,9 @@
 namespace burnish {
 
 /// Gives each vertex a colour: the mean of the texels that it owns, the third of each of its
-/// triangles that is nearest to it, in linear light. A vertex without triangles is white. One
-/// colour for all vertices counts as none, unless the pictures have detail. If the mesh has
+/// triangles that is nearest to it, in linear light. Vertices that look alike
+/// at one place (common/mesh/agreeing_vertices.h) share them. A vertex without triangles is white.
+/// One colour for all vertices counts as none, unless the pictures have detail. If the mesh has
 /// colours, multiplies them in linear light. Textures of another number of triangles colour
 /// nothing. Needs: valid indices.
 ///

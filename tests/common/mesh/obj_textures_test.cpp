@@ -64,6 +64,13 @@ TEST(ObjTextures, AFaceWithoutCoordinatesHasTheDiffuseColour) {
   EXPECT_EQ(colours_of(obj, square_files())[3], (Rgba8{128, 128, 128, 255}));
 }
 
+TEST(ObjTextures, VerticesThatAreRepeatedAtASeamHaveTheMeanOfBoth) {
+  const std::string obj = replaced(replaced(kSquareObj, "v 0 0 0\n", "v 0 0 0\nv 0 0 0\nv 1 1 0\n"),
+                                   "f 1/1 2/2 3/3\nf 1/1 3/3 4/4", "f 1/1 4/2 5/3\nf 2/1 3/3 6/4");
+  const std::vector<Rgba8> whole = square_colours(), seam = colours_of(obj, square_files());
+  EXPECT_THAT(seam, ElementsAre(whole[0], whole[0], whole[2], whole[1], whole[2], whole[3]));
+}
+
 TEST(ObjTextures, NegativeIndicesCountBack) {
   const std::string obj = replaced(replaced(kSquareObj, "f 1/1 2/2 3/3", "f -4/-4 -3/-3 -2/-2"),
                                    "f 1/1 3/3 4/4", "f -4/-4/-1 -2/-2 -1/-1");
