@@ -42,8 +42,7 @@ void tell_of_files_beside(const ScanBundle& bundle) {
 
 void warn_of_missing(const ScanBundle& bundle) {
   if (!bundle.missing().empty())
-    std::cerr << "warning: not beside " << bundle.mesh().string() << ": "
-              << few_names(bundle.missing()) << "\n";
+    std::cerr << "warning: " << missing_text(bundle.mesh().string(), bundle.missing()) << "\n";
 }
 
 Status run(const ImportOptions& options) {

@@ -61,7 +61,8 @@ Result<NewFolder> NewFolder::create(const fs::path& target, const Guard& may_rep
   std::error_code error;
   if (!fs::create_directory(path, error) && !error)
     error = std::make_error_code(std::errc::file_exists);
-  if (error) return errno_status("cannot make a folder for " + whole.string(), error.value());
+  if (error)
+    return errno_status("cannot make a folder in " + whole.parent_path().string(), error.value());
   return NewFolder(whole, path);
 }
 

@@ -142,6 +142,10 @@ std::string few_names(std::span<const std::string> names) {
   return text;
 }
 
+std::string missing_text(const std::string& file, std::span<const std::string> missing) {
+  return file + " names files that are not there: " + few_names(missing);
+}
+
 std::string seconds_text(std::chrono::milliseconds time) {
   char text[32];
   std::snprintf(text, sizeof(text), "%g s", static_cast<double>(time.count()) / 1000);

@@ -52,6 +52,9 @@ std::string one_line(std::string_view text, size_t bytes_max);
 /// there are: "a.png, b.png", "a, b, c, d, e and 7 more".
 std::string few_names(std::span<const std::string> names);
 
+/// Returns "scan.obj names files that are not there: skin.png". Needs: a name.
+std::string missing_text(const std::string& file, std::span<const std::string> missing);
+
 /// Returns "10 s", "0.25 s".
 std::string seconds_text(std::chrono::milliseconds time);
 

@@ -27,8 +27,7 @@ Status write_packed_mesh(const std::filesystem::path& original, const MovedMesh&
                          const std::filesystem::path& archive, PictureWork& pictures) {
   ASSIGN_OR_RETURN(const ScanBundle bundle, ScanBundle::open(original));
   if (!bundle.missing().empty())
-    std::cerr << "warning: not beside " << original.string() << ": " << few_names(bundle.missing())
-              << "\n";
+    std::cerr << "warning: " << missing_text(original.string(), bundle.missing()) << "\n";
   ASSIGN_OR_RETURN(const std::vector<uint8_t> packed, pack_original(bundle));
   ASSIGN_OR_RETURN(AtomicFile file, AtomicFile::create(archive));
   OutputBuffer output(file);

@@ -77,7 +77,7 @@ class ScanPainter {
   // Where files cannot be found, reading the scan says why.
   void warn_of_missing(const Result<NamedFiles>& named) {
     if (!named.is_ok() || named->missing.empty()) return;
-    warn("not beside " + scan_.string() + ": " + few_names(named->missing));
+    warn(missing_text(scan_.string(), named->missing));
   }
 
   void warn_of_hidden(const std::vector<SurfacePicture>& pictures) {

@@ -224,7 +224,7 @@ void Workspace::import_there(const std::filesystem::path& file, Opening opening,
           }
           tell_imported(file, *outcome);
           if (!missing.empty())
-            log.warning("not beside " + file.filename().string() + ": " + few_names(missing));
+            log.warning(missing_text(file.filename().string(), missing));
           refresh_library();
           if (may_open(file)) open_scan(outcome->scan, opening, raw_depth_, activity);
         };

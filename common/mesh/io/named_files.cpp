@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/archive/archive.h"
+#include "common/mesh/files/archive_files.h"
 #include "common/mesh/gltf/gltf_files.h"
 #include "common/mesh/obj/obj_files.h"
 #include "common/mesh/ply/ply_textures.h"
@@ -23,8 +25,24 @@ static NamedFiles find_files(const std::vector<std::string>& names,
   return files;
 }
 
+static Result<NamedFiles> find_in_archive(std::span<const uint8_t> bytes) {
+  constexpr uint64_t kUnpackedBytesMax = uint64_t{1} << 28;
+  ASSIGN_OR_RETURN(const Archive archive, Archive::open(bytes, "archive"));
+  ASSIGN_OR_RETURN(const ArchivedMesh mesh, find_mesh(archive));
+  if (archive.entries()[mesh.entry].size_bytes > kUnpackedBytesMax) return NamedFiles();
+  ASSIGN_OR_RETURN(const std::vector<uint8_t> unpacked, archive.read(mesh.entry));
+  const ArchiveFiles files(archive);
+  ASSIGN_OR_RETURN(NamedFiles named, find_named_files(unpacked, mesh.format, {&files, mesh.path}));
+  named.found.clear();
+  return named;
+}
+
 Result<NamedFiles> find_named_files(std::span<const uint8_t> bytes, MeshFormat format,
                                     const MeshSurroundings& beside) {
+  if (format == MeshFormat::kZip) {
+    auto named = find_in_archive(bytes);
+    return named.is_ok() ? std::move(named) : NamedFiles();  // whoever reads it says why
+  }
   if (format == MeshFormat::kPly) return find_files(textures_in_ply(bytes), beside);
   if (is_gltf(format)) {
     ASSIGN_OR_RETURN(GltfNames names, names_in_gltf(bytes));

@@ -17,8 +17,9 @@ struct NamedFiles {
 };
 
 /// Finds the material files and pictures of an OBJ, the buffers and images of a glTF file, and the
-/// pictures that the comments of a PLY name. Other formats name none. Fails: as a file cannot be
-/// read.
+/// pictures that the comments of a PLY name. An archive has its own, so only files that are missing
+/// in it count, and its mesh is not unpacked beyond 256 MB. Other formats name none. Fails: as a
+/// file cannot be read.
 Result<NamedFiles> find_named_files(std::span<const uint8_t> bytes, MeshFormat format,
                                     const MeshSurroundings& beside);
 

@@ -44,6 +44,21 @@ TEST(ScanBundle, AMeshAloneIsSentAsItIs) {
   EXPECT_THAT(bundle->missing(), ElementsAre("scan.mtl"));
 }
 
+TEST(ScanBundle, AnArchiveThatLacksAFileSaysSo) {
+  const TemporaryFolder folder;
+  const auto packed_as = [&](const NamedTexts& files) {
+    return ScanBundle::open(folder.write("scan.zip", as_string(packed(files))));
+  };
+  const auto bundle = packed_as({{"in/scan.obj", kBundledObj}});
+  ASSERT_TRUE(bundle.is_ok()) << bundle.status().message();
+  EXPECT_EQ(bundle->format(), MeshFormat::kZip);
+  EXPECT_THAT(bundle->beside(), testing::IsEmpty());
+  EXPECT_THAT(bundle->missing(), ElementsAre("scan.mtl"));
+  EXPECT_THAT(packed_as({{"scan.obj", kBundledObj}, {"scan.mtl", "newmtl skin\n"}})->missing(),
+              testing::IsEmpty());
+  EXPECT_TRUE(ScanBundle::open(folder.write("scan.zip", "PK")).is_ok());  // a reader says why not
+}
+
 TEST(ScanBundle, AFolderMustHaveOneMesh) {
   const TemporaryFolder folder;
   EXPECT_THAT(ScanBundle::open(folder / "").status().message(), HasSubstr("no mesh file"));
