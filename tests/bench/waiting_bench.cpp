@@ -39,10 +39,11 @@ class Client {
     double editing_s = 0;  ///< until the session's first frame
   };
 
-  Result<Waits> open() {
+  /// `depth`: 0 is the scan's own.
+  Result<Waits> open(int depth) {
     Waits waits;
     const Clock::time_point begin = Clock::now();
-    workspace_.open_scan(workspace_.library().scans.front(), Opening::kGoOn);
+    workspace_.open_scan(workspace_.library().scans.front(), Opening::kGoOn, depth);
     wait([&] {
       if (waits.picture_s == 0 && has_surface()) {
         waits.picture_s = seconds_since(begin);
@@ -100,12 +101,12 @@ void start_again(ServerProcess& server) {
   server.start();
 }
 
-Status measure_opening(ServerProcess& server, const std::string& scan, const char* opening,
+Status measure_opening(ServerProcess& server, const ScanArgument& scan, const char* opening,
                        BenchTable& table) {
   start_again(server);
   Client client(server.address);
-  ASSIGN_OR_RETURN(const Client::Waits waits, client.open());
-  table.add({scan, opening, waits.picture_s, waits.triangles, waits.editing_s,
+  ASSIGN_OR_RETURN(const Client::Waits waits, client.open(scan.depth));
+  table.add({scan.name(), opening, waits.picture_s, waits.triangles, waits.editing_s,
              peak_mb_of(server.process->pid())});
   while (!has_kept_hierarchy(server.folder / "data"))
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
@@ -121,8 +122,8 @@ Status measure_scan(const ScanArgument& scan, BenchTable& table) {
     ASSIGN_OR_RETURN(Connection owner, Connection::open(server.address, kPatience));
     RETURN_IF_ERROR(owner.import_scan(file, "scan", {scan.depth, 0}, {}).status());
   }
-  RETURN_IF_ERROR(measure_opening(server, scan.name(), "first", table));
-  return measure_opening(server, scan.name(), "again", table);
+  RETURN_IF_ERROR(measure_opening(server, scan, "first", table));
+  return measure_opening(server, scan, "again", table);
 }
 
 Status run(const BenchArguments& arguments, BenchReport& report) {
