@@ -40,9 +40,15 @@ Status do_record(const FrontWords& line, FrontParts& parts) {
   return Status::ok();
 }
 
+/// Draws once more after a failure: WebGL may have told of an earlier picture's.
+Status draw_to_save(Workspace& workspace) {
+  const Status drawn = workspace.draw();
+  return drawn.is_ok() ? drawn : workspace.draw();
+}
+
 Status save_picture(const FrontParts& parts, const std::string& name) {
   RETURN_IF_ERROR(parts.workspace.check_picture());
-  RETURN_IF_ERROR(parts.workspace.draw());
+  RETURN_IF_ERROR(draw_to_save(parts.workspace));
   ASSIGN_OR_RETURN(const Image image, parts.workspace.read_picture());
   parts.workspace.record_picture(name);
   parts.host.download(name, stored_png(image));

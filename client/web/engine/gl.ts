@@ -40,7 +40,10 @@ function errors(gl: WebGL2RenderingContext, all: Record<(typeof kRisky)[number],
     glGetError(): number {
       if (!mayFail) return gl.NO_ERROR;
       mayFail = false;
-      return gl.getError();
+      const error = gl.getError();
+      // Calls before may have left others, which would count as the next call's.
+      for (let other = error; other !== gl.NO_ERROR && other !== gl.CONTEXT_LOST_WEBGL; ) other = gl.getError();
+      return error;
     },
   };
 }
