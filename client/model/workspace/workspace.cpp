@@ -211,24 +211,24 @@ void Workspace::import_there(const std::filesystem::path& file, Opening opening,
                              const std::shared_ptr<Activity>& activity) {
   const auto connection = connection_;
   const int depth = raw_depth_;
-  start_activity(
-      activity, [this, connection, file, opening, activity, depth](const Progress& progress) {
-        connection->bring_back(progress);
-        std::vector<std::string> missing;
-        auto outcome = import_file(*connection, file, depth, missing, progress);
-        return [this, file, opening, activity, missing, outcome = std::move(outcome)] {
-          if (activity == raw_work_ && begins_again()) return;
-          if (!outcome.is_ok()) {
-            close_raw(file);
-            return log.failure("import of " + file.string(), outcome.status());
-          }
-          tell_imported(file, *outcome);
-          if (!missing.empty())
-            log.warning(missing_text(file.filename().string(), missing));
-          refresh_library();
-          if (may_open(file)) open_scan(outcome->scan, opening, raw_depth_, activity);
-        };
-      });
+  start_activity(activity,
+                 [this, connection, file, opening, activity, depth](const Progress& progress) {
+                   connection->bring_back(progress);
+                   std::vector<std::string> missing;
+                   auto outcome = import_file(*connection, file, depth, missing, progress);
+                   return [this, file, opening, activity, missing, outcome = std::move(outcome)] {
+                     if (activity == raw_work_ && begins_again()) return;
+                     if (!outcome.is_ok()) {
+                       close_raw(file);
+                       return log.failure("import of " + file.string(), outcome.status());
+                     }
+                     tell_imported(file, *outcome);
+                     if (!missing.empty())
+                       log.warning(missing_text(file.filename().string(), missing));
+                     refresh_library();
+                     if (may_open(file)) open_scan(outcome->scan, opening, raw_depth_, activity);
+                   };
+                 });
 }
 
 void Workspace::tell_imported(const std::filesystem::path& file, const ImportOutcome& outcome) {
