@@ -36,8 +36,9 @@ Vec3d mean_sides(std::span<const TriangleCentre> piece, const KdRule& rule) {
   return 3 * sum / static_cast<double>(piece.size());
 }
 
-/// Small pieces are not cut across their triangles: needles that alternate, as in strips, would
-/// lose the neighbours with which they share their sides.
+/// Returns the axis of the longest side. Where texels matter, pieces are small, and are not cut
+/// across their triangles: needles that alternate, as in strips, would lose the neighbours with
+/// which they share their sides.
 int axis_to_cut(std::span<const TriangleCentre> piece, const KdRule& rule) {
   std::array<double, 3> sides = sides_of(piece);
   if (rule.texels.matter()) {

@@ -15,8 +15,7 @@ namespace burnish {
 
 static constexpr double kTexelsPerPage = 512 * 512;  // charts cover about half of a sheet
 static constexpr double kPagesForTexelsMax = 1024;   // 2^28 texels and more: minutes
-
-static constexpr double kRepeatsMax = 16;  // of all pictures, that deserve pages
+static constexpr double kRepeatsMax = 16;            // of all pictures, that deserve pages
 static constexpr double kSheetTexelsMax = double{kSheetSideMax} * kSheetSideMax;
 
 /// `own_texels`: of all pictures.
