@@ -1,6 +1,7 @@
 #include "client/scene/png_writer.h"
 
 #include <png.h>
+#include <zlib.h>
 
 #include "client/scene/png_note.h"
 #include "common/base/atomic_file.h"
@@ -13,23 +14,15 @@ static void add_big_endian(uint32_t value, std::string& bytes) {
   for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 255);
 }
 
-// Needs no table: notes are short.
-static uint32_t crc32_of(std::string_view bytes) {
-  uint32_t crc = ~0u;
-  for (const char byte : bytes) {
-    crc ^= static_cast<uint8_t>(byte);
-    for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ ((crc & 1) != 0 ? 0xedb88320u : 0u);
-  }
-  return ~crc;
-}
-
 // Writes the note itself: libpng does so only where the rows are handed over one by one.
 static void insert_note(std::string_view note, std::vector<uint8_t>& png) {
   const std::string content = png_note(note), named = "tEXt" + content;
   std::string part;
   add_big_endian(static_cast<uint32_t>(content.size()), part);
   part += named;
-  add_big_endian(crc32_of(named), part);
+  const uLong crc =
+      crc32(0, reinterpret_cast<const Bytef*>(named.data()), static_cast<uInt>(named.size()));
+  add_big_endian(static_cast<uint32_t>(crc), part);
   png.insert(png.begin() + kHeadBytes, part.begin(), part.end());
 }
 
