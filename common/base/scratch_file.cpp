@@ -8,6 +8,8 @@
 #include <unistd.h>
 #include <utility>
 
+#include <sys/mman.h>
+
 namespace burnish {
 
 Result<std::filesystem::path> temporary_folder() {
@@ -37,6 +39,12 @@ int open_nameless(const std::filesystem::path& folder) {
 Result<ScratchFile> ScratchFile::create(const std::filesystem::path& folder) {
   const int file = open_nameless(folder);
   if (file < 0) return errno_status("cannot open a scratch file in " + folder.string(), errno);
+  return ScratchFile(file);
+}
+
+Result<ScratchFile> ScratchFile::create_in_memory() {
+  const int file = memfd_create("burnish-scratch", MFD_CLOEXEC);
+  if (file < 0) return errno_status("cannot open a scratch file in memory", errno);
   return ScratchFile(file);
 }
 
@@ -78,6 +86,12 @@ Status ScratchFile::read(uint64_t offset, std::span<uint8_t> bytes) const {
     offset += static_cast<uint64_t>(count);
     bytes = bytes.subspan(static_cast<size_t>(count));
   }
+  return Status::ok();
+}
+
+Status ScratchFile::map_over(void* address, uint64_t bytes) const {
+  if (mmap(address, bytes, PROT_READ, MAP_SHARED | MAP_FIXED, file_, 0) == MAP_FAILED)
+    return errno_status("cannot map a scratch file of " + std::to_string(bytes) + " bytes", errno);
   return Status::ok();
 }
 

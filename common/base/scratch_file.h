@@ -22,6 +22,8 @@ class ScratchFile {
  public:
   /// Needs: the folder exists. Fails: as errno says.
   static Result<ScratchFile> create(const std::filesystem::path& folder);
+  /// Makes one that lies in memory. Fails: as errno says.
+  static Result<ScratchFile> create_in_memory();
   ScratchFile(ScratchFile&& other) noexcept;
   ScratchFile& operator=(ScratchFile&& other) noexcept;
   ~ScratchFile();
@@ -34,6 +36,10 @@ class ScratchFile {
 
   /// Fails: data_loss (the file ends before); as errno says.
   Status read(uint64_t offset, std::span<uint8_t> bytes) const;
+
+  /// Maps the first bytes for reading in the place of whatever is mapped at `address`. They stay
+  /// mapped when this object ends. Fails: as errno says.
+  Status map_over(void* address, uint64_t bytes) const;
 
  private:
   explicit ScratchFile(int file) : file_(file) {}

@@ -245,6 +245,8 @@ class MeshStore {
   Status rebuild(const std::string& id, const PreparedKey& key, const Progress& progress);
   Status make_room(const std::string& id, const PreparedKey& key);
   bool is_in_use(const std::string& id, const PreparedKey& key);
+  Status hold_or_copy(const std::filesystem::path& path, const PreparedSummary& summary,
+                      SharedMesh& mesh);
   Result<std::shared_ptr<SharedMesh>> read_charged(const std::string& id, const PreparedKey& key);
   Result<std::shared_ptr<SharedMesh>> read_kept(const std::string& id, const PreparedKey& key,
                                                 const Progress& progress);

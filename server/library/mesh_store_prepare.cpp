@@ -128,18 +128,35 @@ bool MeshStore::is_in_use(const std::string& id, const PreparedKey& key) {
   return is_wanted_ && is_wanted_(id, key);
 }
 
+// Large ones stay where they lie, if the file system has leases: no copy, and no room for one.
+Status MeshStore::hold_or_copy(const fs::path& path, const PreparedSummary& summary,
+                               SharedMesh& mesh) {
+  PreparedPlace place = place_of_prepared(summary.byte_count);
+  const auto charge = [&]() -> Status {
+    ASSIGN_OR_RETURN(mesh.memory, memory_.take(kServer, predict_mesh_bytes(summary, place)));
+    return Status::ok();
+  };
+  if (place == PreparedPlace::kFile) {
+    RETURN_IF_ERROR(charge());
+    auto held = hold_prepared_mesh(path, folder_.scans());
+    if (held.is_ok()) mesh.prepared = std::move(held).value();
+    if (held.status().code() != StatusCode::kFailedPrecondition) return held.status();
+    if (!check_disk_space(folder_.scans(), summary.byte_count).is_ok())
+      place = PreparedPlace::kMemory;
+  }
+  RETURN_IF_ERROR(charge());
+  ASSIGN_OR_RETURN(mesh.prepared, read_prepared_mesh(path, place == PreparedPlace::kFile
+                                                               ? ScratchSpace(folder_.scans(), 0)
+                                                               : ScratchSpace()));
+  return Status::ok();
+}
+
 Result<std::shared_ptr<SharedMesh>> MeshStore::read_charged(const std::string& id,
                                                             const PreparedKey& key) {
   const fs::path path = prepared_path(id, key);
   ASSIGN_OR_RETURN(const PreparedSummary summary, read_prepared_summary(path));
-  const PreparedPlace place = check_disk_space(folder_.scans(), summary.byte_count).is_ok()
-                                  ? place_of_prepared(summary.byte_count)
-                                  : PreparedPlace::kMemory;
   auto mesh = std::make_shared<SharedMesh>();
-  ASSIGN_OR_RETURN(mesh->memory, memory_.take(kServer, predict_mesh_bytes(summary, place)));
-  ASSIGN_OR_RETURN(mesh->prepared, read_prepared_mesh(path, place == PreparedPlace::kFile
-                                                                ? ScratchSpace(folder_.scans(), 0)
-                                                                : ScratchSpace()));
+  RETURN_IF_ERROR(hold_or_copy(path, summary, *mesh));
   ASSIGN_OR_RETURN(const uint64_t checksum, read_prepared_checksum(path));
   mesh->fingerprint = hierarchy_fingerprint(checksum);
   std::error_code ignored;  // a prepared file's time is its last opening

@@ -1,5 +1,6 @@
 #include "server/prepare/prepared_checks.h"
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 #include <sstream>
@@ -75,51 +76,60 @@ Status check_counts(const PreparedMesh& prepared) {
                prepared.sheets.size());
 }
 
+/// Returns the least number below `count` that is bad, or `count`. Calls is_bad() from several
+/// threads.
+template <typename IsBad>
+size_t first_bad(size_t count, const IsBad& is_bad) {
+  size_t first = count;
+#pragma omp parallel for schedule(static) reduction(min : first)
+  for (size_t i = 0; i < count; ++i)
+    if (i < first && is_bad(i)) first = i;
+  return first;
+}
+
 Status check_triangles(const PreparedMesh& prepared) {
-  for (size_t t = 0; t < prepared.triangles.size(); ++t) {
-    for (uint32_t v : prepared.triangles[t]) {
-      if (v < prepared.vertices.size()) continue;
-      return data_loss("section triangles: triangle " + std::to_string(t) + " refers to vertex " +
-                       std::to_string(v) + " of " + std::to_string(prepared.vertices.size()));
-    }
-  }
-  return Status::ok();
+  const size_t vertices = prepared.vertices.size();
+  const auto is_outside = [&](uint32_t v) { return v >= vertices; };
+  const size_t t = first_bad(prepared.triangles.size(), [&](size_t i) {
+    return std::ranges::any_of(prepared.triangles[i], is_outside);
+  });
+  if (t == prepared.triangles.size()) return Status::ok();
+  const uint32_t v = *std::ranges::find_if(prepared.triangles[t], is_outside);
+  return data_loss("section triangles: triangle " + std::to_string(t) + " refers to vertex " +
+                   std::to_string(v) + " of " + std::to_string(vertices));
 }
 
 Status check_evaluation(const PreparedMesh& prepared) {
   const auto cells = static_cast<int32_t>(prepared.cells.size());
-  for (size_t v = 0; v < prepared.evaluation.size(); ++v) {
-    const int32_t cell = prepared.evaluation[v].cell;
-    if (cell == kNone || (cell >= 0 && cell < cells)) continue;
-    return data_loss("section evaluation: vertex " + std::to_string(v) + " lies in cell " +
-                     std::to_string(cell) + " of " + std::to_string(cells));
-  }
-  return Status::ok();
+  const size_t v = first_bad(prepared.evaluation.size(), [&](size_t i) {
+    const int32_t cell = prepared.evaluation[i].cell;
+    return cell != kNone && (cell < 0 || cell >= cells);
+  });
+  if (v == prepared.evaluation.size()) return Status::ok();
+  return data_loss("section evaluation: vertex " + std::to_string(v) + " lies in cell " +
+                   std::to_string(prepared.evaluation[v].cell) + " of " + std::to_string(cells));
 }
 
 Status check_cells(const PreparedMesh& prepared) {
   const MortonKey end = MortonKey{1} << 3 * prepared.frame.depth;
-  for (size_t c = 0; c < prepared.cells.size(); ++c) {
-    const MortonKey key = prepared.cells[c];
-    const bool is_rising = c == 0 || prepared.cells[c - 1] < key;
-    if (is_rising && key < end) continue;
-    return data_loss("section cells: key " + std::to_string(key) + " of cell " + std::to_string(c) +
-                     (is_rising
-                          ? " is outside the grid of depth " + std::to_string(prepared.frame.depth)
-                          : std::string(" is not above the one before it")));
-  }
-  return Status::ok();
+  const auto is_rising = [&](size_t c) {
+    return c == 0 || prepared.cells[c - 1] < prepared.cells[c];
+  };
+  const size_t c = first_bad(prepared.cells.size(),
+                             [&](size_t i) { return !is_rising(i) || prepared.cells[i] >= end; });
+  if (c == prepared.cells.size()) return Status::ok();
+  return data_loss(
+      "section cells: key " + std::to_string(prepared.cells[c]) + " of cell " + std::to_string(c) +
+      (is_rising(c) ? " is outside the grid of depth " + std::to_string(prepared.frame.depth)
+                    : std::string(" is not above the one before it")));
 }
 
 Status check_passages(const PreparedMesh& prepared) {
-  for (size_t c = 0; c < prepared.passages.size(); ++c) {
-    const Passages unknown = prepared.passages[c] & ~kAllPassages;
-    if (unknown == 0) continue;
-    return data_loss("section passages: bit " + std::to_string(std::countr_zero(unknown)) +
-                     " of cell " + std::to_string(c) +
-                     " is set but does not stand for a neighbour");
-  }
-  return Status::ok();
+  const auto unknown = [&](size_t c) { return prepared.passages[c] & ~kAllPassages; };
+  const size_t c = first_bad(prepared.passages.size(), [&](size_t i) { return unknown(i) != 0; });
+  if (c == prepared.passages.size()) return Status::ok();
+  return data_loss("section passages: bit " + std::to_string(std::countr_zero(unknown(c))) +
+                   " of cell " + std::to_string(c) + " is set but does not stand for a neighbour");
 }
 
 Status check_sheets(const PreparedMesh& prepared) {
@@ -190,12 +200,15 @@ Status check_scalars(const PreparedHeader& header) {
 }
 
 Status check_section_checksums(const PreparedHeader& header, std::span<const uint8_t> file) {
+  std::array<uint64_t, kPreparedSections> sums;
+#pragma omp parallel for schedule(dynamic)
   for (int i = 0; i < kPreparedSections; ++i) {
     const SectionEntry& entry = header.sections[i];
-    const auto bytes = file.subspan(entry.offset, entry.count * entry.element_bytes);
-    RETURN_IF_ERROR(check_equal(section(static_cast<PreparedSection>(i)) + ": checksum",
-                                prepared_checksum(bytes), entry.checksum));
+    sums[i] = prepared_checksum(file.subspan(entry.offset, entry.count * entry.element_bytes));
   }
+  for (int i = 0; i < kPreparedSections; ++i)
+    RETURN_IF_ERROR(check_equal(section(static_cast<PreparedSection>(i)) + ": checksum", sums[i],
+                                header.sections[i].checksum));
   return Status::ok();
 }
 

@@ -6,6 +6,7 @@
 #include "common/base/atomic_file.h"
 #include "common/base/file_content.h"
 #include "common/base/loop_progress.h"
+#include "server/lease/leased_file.h"
 #include "server/prepare/prepared_file.h"
 
 namespace burnish {
@@ -48,15 +49,27 @@ static std::string name_of(const std::filesystem::path& path) {
   return "prepared mesh " + path.string();
 }
 
+template <typename Storage>
+static Result<std::shared_ptr<const PreparedMesh>> checked_mesh(const std::filesystem::path& path,
+                                                                Storage bytes, bool is_in_file) {
+  const auto storage = std::make_shared<const Storage>(std::move(bytes));
+  Result<PreparedMesh> mesh = parse_prepared_file(storage->bytes());
+  if (!mesh.is_ok()) return mesh.status().with_context(name_of(path));
+  mesh->storage = storage;
+  mesh->is_in_file = is_in_file;
+  return std::make_shared<const PreparedMesh>(std::move(mesh).value());
+}
+
 Result<std::shared_ptr<const PreparedMesh>> read_prepared_mesh(const std::filesystem::path& path,
                                                                const ScratchSpace& space) {
-  ASSIGN_OR_RETURN(FileContent read, FileContent::read(path, space));
-  const auto file = std::make_shared<const FileContent>(std::move(read));
-  Result<PreparedMesh> mesh = parse_prepared_file(file->bytes());
-  if (!mesh.is_ok()) return mesh.status().with_context(name_of(path));
-  mesh->storage = file;
-  mesh->is_in_file = space.memory_bytes() == 0;
-  return std::make_shared<const PreparedMesh>(std::move(mesh).value());
+  ASSIGN_OR_RETURN(FileContent copy, FileContent::read(path, space));
+  return checked_mesh(path, std::move(copy), space.memory_bytes() == 0);
+}
+
+Result<std::shared_ptr<const PreparedMesh>> hold_prepared_mesh(
+    const std::filesystem::path& path, const std::filesystem::path& folder) {
+  ASSIGN_OR_RETURN(LeasedFile held, LeasedFile::open(path, folder));
+  return checked_mesh(path, std::move(held), true);
 }
 
 static Result<PreparedHeader> read_prepared_header(const std::filesystem::path& path) {

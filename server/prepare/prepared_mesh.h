@@ -111,11 +111,16 @@ class PreparedMesh {
 Status write_prepared_mesh(const PreparedMesh& prepared, const std::filesystem::path& path,
                            const Progress& progress = {});
 
-/// Reads a copy of a prepared file into scratch space. The file itself is not mapped: that would
-/// end the process when somebody shortens it. Fails: not_found; data_loss that names the section
-/// when the version, a size or a checksum is wrong; resource_exhausted if the space has no room.
+/// Reads a copy of a prepared file into scratch space: a mapping of the file itself would end the
+/// process when somebody shortens it. Fails: not_found; data_loss that names the section when the
+/// version, a size or a checksum is wrong; resource_exhausted if the space has no room.
 Result<std::shared_ptr<const PreparedMesh>> read_prepared_mesh(const std::filesystem::path& path,
                                                                const ScratchSpace& space = {});
+
+/// Maps a prepared file where it lies, under a lease (LeasedFile). `folder` takes its copy, should
+/// somebody write to it. Fails: failed_precondition, if there is no lease; as read_prepared_mesh().
+Result<std::shared_ptr<const PreparedMesh>> hold_prepared_mesh(const std::filesystem::path& path,
+                                                               const std::filesystem::path& folder);
 
 /// The facts in the header of a prepared file.
 struct PreparedSummary {

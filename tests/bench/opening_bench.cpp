@@ -62,9 +62,8 @@ Opening open_scan(const ScanFiles& files, const FindHierarchy& find) {
   Opening opening;
   std::shared_ptr<const PreparedMesh> prepared;
   std::unique_ptr<Session> session;
-  opening.prepared = milliseconds([&] {
-    prepared = read_prepared_mesh(files.prepared, ScratchSpace(files.folder, 0)).value();
-  });
+  opening.prepared =
+      milliseconds([&] { prepared = hold_prepared_mesh(files.prepared, files.folder).value(); });
   opening.hierarchy = milliseconds([&] { opening.on = find(prepared); });
   opening.session =
       milliseconds([&] { session = Session::open(opening.on, session_options()).value(); });

@@ -267,6 +267,15 @@ TEST(MeshStore, LargePreparedDataLieInAFileAndTakeNoMemory) {
             make_prepared_header(*large->prepared).checksum);
 }
 
+TEST(MeshStore, APreparedFileThatIsCutLeavesWhoHasItOpenAllItsData) {
+  TestLibrary library;
+  const ScanInfo scan = library.import(sphere_file(), "ball").value().scan;
+  const auto mesh = library.store->open_mesh(scan.id, {7, 0}, {}).value();
+  const uint64_t checksum = make_prepared_header(*mesh->prepared).checksum;
+  fs::resize_file(library.folder->scans() / scan.id / "prepared" / prepared_file_name({7, 0}), 0);
+  EXPECT_EQ(make_prepared_header(*mesh->prepared).checksum, checksum);
+}
+
 TEST(MeshStore, ADamagedScanIsLeftOutOfTheList) {
   TestLibrary library;
   const ScanInfo scan = library.import(sphere_file(), "ball").value().scan;
