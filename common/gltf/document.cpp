@@ -7,6 +7,7 @@
 #include "common/base/limits.h"
 #include "common/base/text.h"
 #include "common/gltf/data_uri.h"
+#include "common/gltf/reading_limit.h"
 
 namespace burnish {
 
@@ -106,18 +107,6 @@ static Status open_buffer(uint64_t index, const GltfFilesBeside& beside, const F
   return Status::ok();
 }
 
-static uint64_t bytes_per_byte_of(std::string_view json) {
-  const auto is_named = [&](const char* name) { return json.find(name) != std::string_view::npos; };
-  const bool is_packed =
-      is_named(kDracoExtension) || std::ranges::any_of(kMeshoptExtensions, is_named);
-  return is_packed ? kGltfUnpackedBytesPerPackedByte : kReadingBytesPerFileByte;
-}
-
-uint64_t gltf_bytes_per_file_byte(std::span<const uint8_t> bytes) {
-  const auto parts = split_glb(bytes);
-  return bytes_per_byte_of(parts.is_ok() ? parts->json : text_of(bytes));
-}
-
 Result<GltfJson> read_gltf_json(std::span<const uint8_t> bytes) {
   if (!is_glb(bytes)) return parse_gltf_json(text_of(bytes));
   ASSIGN_OR_RETURN(const GlbParts parts, split_glb(bytes));
@@ -140,7 +129,6 @@ Result<GltfDocument> open_gltf(std::span<const uint8_t> bytes, const GltfFilesBe
     ASSIGN_OR_RETURN(document.parts, split_glb(bytes));
     text = document.parts.json;
   }
-  document.bytes_per_file_byte = bytes_per_byte_of(text);
   ASSIGN_OR_RETURN(document.json, parse_gltf_json(text, steps));
   RETURN_IF_ERROR(check_asset(document.json));
   const size_t buffers = count_elements(document.json, "buffers");
@@ -148,6 +136,7 @@ Result<GltfDocument> open_gltf(std::span<const uint8_t> bytes, const GltfFilesBe
   std::set<std::string> files;
   for (size_t i = 0; i < buffers; ++i)
     RETURN_IF_ERROR(open_buffer(i, beside, steps, document, files));
+  document.reading_bytes_max = gltf_reading_bytes_max(document.json, document.file_bytes);
   return document;
 }
 

@@ -39,8 +39,8 @@ struct GltfDocument {
   bool is_binary = false;
   GlbParts parts;  ///< of a binary file
   std::vector<GltfBuffer> buffers;
-  uint64_t file_bytes = 0;           ///< with the files beside it
-  uint64_t bytes_per_file_byte = 0;  ///< how much reading may make of it, beside a minimum
+  uint64_t file_bytes = 0;         ///< with the files beside it
+  uint64_t reading_bytes_max = 0;  ///< gltf_reading_bytes_max()
 };
 
 /// Opens a .glb or a .gltf file. Fails: invalid_argument for a damaged file, another version, an
@@ -48,10 +48,6 @@ struct GltfDocument {
 Result<GltfDocument> open_gltf(std::span<const uint8_t> bytes,
                                const GltfFilesBeside& beside = nullptr,
                                const FileSteps& steps = {});
-
-/// Returns how many bytes reading may make of each byte of a file: kReadingBytesPerFileByte, or
-/// kGltfUnpackedBytesPerPackedByte if its JSON names Draco or meshopt.
-uint64_t gltf_bytes_per_file_byte(std::span<const uint8_t> bytes);
 
 /// Returns the JSON of a .glb or a .gltf file. Fails: invalid_argument for a damaged file.
 Result<GltfJson> read_gltf_json(std::span<const uint8_t> bytes);

@@ -74,15 +74,13 @@ void apply_filter(const Packing& packing, std::vector<uint8_t>& bytes) {
 
 Status UnpackedViews::charge(uint64_t bytes) {
   steps_.take();
-  const uint64_t times = document_.bytes_per_file_byte;
-  const uint64_t limit = kGltfUnpackedBytesMin + times * document_.file_bytes;
-  if (bytes <= limit - charged_bytes_) {
+  if (bytes <= document_.reading_bytes_max - charged_bytes_) {
     charged_bytes_ += bytes;
     return Status::ok();
   }
-  return invalid_argument("the scene unpacks to more than " + std::to_string(limit) +
-                          " bytes; the limit is " + std::to_string(times) + " times the " +
-                          std::to_string(document_.file_bytes) + " bytes of the file");
+  return invalid_argument(
+      "the scene unpacks to more than " + std::to_string(document_.reading_bytes_max) +
+      " bytes, the limit for a file of " + std::to_string(document_.file_bytes));
 }
 
 Result<GltfView> UnpackedViews::raw_view(const GltfJson& json, const std::string& place) const {

@@ -36,8 +36,8 @@ class UnpackedViews {
   /// Fails: invalid_argument if the view does not exist, leaves its buffer or does not unpack.
   Result<GltfView> view(uint64_t index, const std::string& place);
 
-  /// Counts bytes that are made of the file. Fails: invalid_argument beyond kGltfUnpackedBytesMin
-  /// plus gltf_bytes_per_file_byte() times the file.
+  /// Counts bytes that are made of the file. Fails: invalid_argument beyond
+  /// GltfDocument::reading_bytes_max.
   Status charge(uint64_t bytes);
 
  private:

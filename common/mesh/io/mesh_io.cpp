@@ -6,6 +6,7 @@
 #include "common/base/limits.h"
 #include "common/base/mapped_file.h"
 #include "common/gltf/document.h"
+#include "common/gltf/reading_limit.h"
 #include "common/mesh/files/folder_files.h"
 #include "common/mesh/gltf/glb_writer.h"
 #include "common/mesh/gltf/gltf_files.h"
@@ -132,7 +133,8 @@ Result<uint64_t> reading_bytes_max(const std::filesystem::path& path, MeshFormat
   if (format == MeshFormat::kZip) return predict_zip_reading_bytes(file.bytes(), path.string());
   if (format != MeshFormat::kGlb && format != MeshFormat::kGltf)
     return bytes * kReadingBytesPerFileByte;
-  return kGltfUnpackedBytesMin + bytes * gltf_bytes_per_file_byte(file.bytes());
+  const auto json = read_gltf_json(file.bytes());  // a reader will say why it is damaged
+  return json.is_ok() ? gltf_reading_bytes_max(*json, bytes) : kGltfUnpackedBytesMin;
 }
 
 bool is_read_into_scratch(MeshFormat format) {
