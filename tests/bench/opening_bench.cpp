@@ -53,6 +53,12 @@ SolverOptions session_options() {
   return {.devices = has_devices ? kShards : 0};
 }
 
+std::shared_ptr<const PreparedMesh> hold_or_copy(const ScanFiles& files) {
+  auto held = hold_prepared_mesh(files.prepared, files.folder);
+  if (held.is_ok()) return std::move(held).value();
+  return read_prepared_mesh(files.prepared, ScratchSpace(files.folder, 0)).value();
+}
+
 using FindHierarchy = std::function<Multigrid(std::shared_ptr<const PreparedMesh>)>;
 
 // Reads the prepared data as a server does, and ends when the session takes edits.
@@ -62,8 +68,7 @@ Opening open_scan(const ScanFiles& files, const FindHierarchy& find) {
   Opening opening;
   std::shared_ptr<const PreparedMesh> prepared;
   std::unique_ptr<Session> session;
-  opening.prepared =
-      milliseconds([&] { prepared = hold_prepared_mesh(files.prepared, files.folder).value(); });
+  opening.prepared = milliseconds([&] { prepared = hold_or_copy(files); });
   opening.hierarchy = milliseconds([&] { opening.on = find(prepared); });
   opening.session =
       milliseconds([&] { session = Session::open(opening.on, session_options()).value(); });
@@ -85,7 +90,8 @@ Status measure_again(const std::string& name, const ScanFiles& files, int thread
   });
   const auto bytes = static_cast<double>(std::filesystem::file_size(files.hierarchy));
   table.add({name, static_cast<double>(threads), first.prepared * 1e-3, first.hierarchy * 1e-3,
-             first.session * 1e-3, first.sum() * 1e-3, again.hierarchy * 1e-3, again.sum() * 1e-3,
+             first.session * 1e-3, first.sum() * 1e-3, again.prepared * 1e-3,
+             again.hierarchy * 1e-3, again.session * 1e-3, again.sum() * 1e-3,
              again.sum() / first.sum(), bytes * 1e-6, writing * 1e-3, first.peak_bytes * 1e-6,
              again.peak_bytes * 1e-6});
   return Status::ok();
@@ -136,7 +142,9 @@ Status run(const BenchArguments& arguments, BenchReport& report) {
                                            {"hierarchy_s", "%.2f"},
                                            {"session_s", "%.2f"},
                                            {"editing_after_s", "%.2f"},
+                                           {"again_prepared_s", "%.2f"},
                                            {"again_hierarchy_s", "%.2f"},
+                                           {"again_session_s", "%.2f"},
                                            {"again_editing_after_s", "%.2f"},
                                            {"part", "%.2f"},
                                            {"file_mb", "%.0f"},
