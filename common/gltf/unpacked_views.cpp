@@ -2,7 +2,6 @@
 
 #include <meshoptimizer.h>
 
-#include "common/base/limits.h"
 #include "common/gltf/meshopt_attributes.h"
 
 namespace burnish {
