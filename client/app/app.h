@@ -14,7 +14,6 @@
 #include "client/app/overlay/toasts.h"
 #include "client/app/panels/panels.h"
 #include "client/app/start/start_page.h"
-#include "client/app/widgets/drawn_panel.h"
 #include "client/app/window/window.h"
 #include "client/app/window/window_renderer.h"
 #include "client/gl/fence.h"
@@ -103,18 +102,11 @@ class App {
 
   StartPage start_page_;
   FilterPanel filter_panel_;
-  DrawnPanel limits_panel_{kLimitsPanel};
   CurvePanel curve_panel_;
-  DrawnPanel brush_panel_{kBrushPanel};
-  DrawnPanel edges_panel_{kEdgesPanel};
   EqualiserPanel equaliser_panel_;
-  DrawnPanel colour_panel_{kColourPanel};
   PalettePanel palette_panel_;
   HistoryPanel history_panel_;
-  DrawnPanel view_panel_{kViewPanel};
   PeoplePanel people_panel_;
-  DrawnPanel light_panel_{kLightPanel};
-  DrawnPanel camera_panel_{kCameraPanel};
   NumbersPanel numbers_panel_;
   FiguresPanel figures_panel_;
   ColourBar colour_bar_;

@@ -9,6 +9,7 @@
 #include "client/app/overlay/ruler_overlay.h"
 #include "client/app/panels/raw_facts.h"
 #include "client/app/widgets/depth_list.h"
+#include "client/app/widgets/drawn_panel.h"
 #include "client/app/widgets/escape.h"
 #include "client/app/widgets/places.h"
 #include "client/app/widgets/theme.h"
@@ -237,6 +238,12 @@ static bool draw_section(const char* name, Panel& panel, Workspace& workspace,
   return true;
 }
 
+static bool draw_section(const SharedPanel& shared, Workspace& workspace,
+                         ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_DefaultOpen) {
+  DrawnPanel panel(shared);
+  return draw_section(shared.name, panel, workspace, flags);
+}
+
 static void begin_column(const char* name, float from, float top, float width) {
   ImGui::SetNextWindowPos({from, top});
   ImGui::SetNextWindowSize({width, ImGui::GetIO().DisplaySize.y - top});
@@ -259,26 +266,26 @@ void App::draw_columns(float top, float left, float right) {
   const bool shows_filter = draw_section("Filter", filter_panel_, *workspace_);
   if (!shows_filter) workspace_->strip.close(workspace_->document());
   draw_section("Transfer curve α(κ)", curve_panel_, *workspace_);
-  draw_section("Brush", brush_panel_, *workspace_);
-  const bool shows_region = draw_section("Limits", limits_panel_, *workspace_);
-  draw_section("Keep edges", edges_panel_, *workspace_, ImGuiTreeNodeFlags_None);
+  draw_section(kBrushPanel, *workspace_);
+  const bool shows_region = draw_section(kLimitsPanel, *workspace_);
+  draw_section(kEdgesPanel, *workspace_, ImGuiTreeNodeFlags_None);
   draw_section("Equaliser", equaliser_panel_, *workspace_, ImGuiTreeNodeFlags_None);
   const bool shows_curves =
       draw_section("Palette", palette_panel_, *workspace_, ImGuiTreeNodeFlags_None);
   workspace_->document()->show_over(shows_region, shows_curves);
   if (workspace_->document()->has_colours())
-    draw_section("Colours", colour_panel_, *workspace_, ImGuiTreeNodeFlags_None);
+    draw_section(kColourPanel, *workspace_, ImGuiTreeNodeFlags_None);
   if (right > 0) {
     note_window("Left column");
     ImGui::End();
     begin_column("##right", ImGui::GetIO().DisplaySize.x - right, top, right);
   }
-  draw_section("View", view_panel_, *workspace_);
+  draw_section(kViewPanel, *workspace_);
   draw_section("History", history_panel_, *workspace_);
   draw_section("People", people_panel_, *workspace_);
   draw_section("Numbers", numbers_panel_, *workspace_);
-  draw_section("Light", light_panel_, *workspace_, ImGuiTreeNodeFlags_None);
-  draw_section("Camera", camera_panel_, *workspace_, ImGuiTreeNodeFlags_None);
+  draw_section(kLightPanel, *workspace_, ImGuiTreeNodeFlags_None);
+  draw_section(kCameraPanel, *workspace_, ImGuiTreeNodeFlags_None);
   if (right == 0 && shows_hud_) draw_section("Figures", figures_panel_, *workspace_);
   note_window(right > 0 ? "Right column" : "Left column");
   ImGui::End();

@@ -28,6 +28,12 @@ export function useIsWide(): boolean {
   return wide;
 }
 
+const SharedPanel = (props: PanelProps & { name: string; folded?: boolean }) => (
+  <Section name={props.name} folded={props.folded}>
+    <WidgetPanel {...props} />
+  </Section>
+);
+
 export function EditColumn(props: PresetProps & { children?: preact.ComponentChildren }) {
   const { document, presets, preset, strengths } = props;
   return (
@@ -39,26 +45,18 @@ export function EditColumn(props: PresetProps & { children?: preact.ComponentChi
         <Section name="Transfer curve α(κ)">
           <CurvePanel document={document} />
         </Section>
-        <Section name="Brush">
-          <WidgetPanel document={document} name="Brush" />
-        </Section>
+        <SharedPanel document={document} name="Brush" />
         <Section name="Limits">
           <LimitsPanel document={document} />
         </Section>
-        <Section name="Keep edges" folded>
-          <WidgetPanel document={document} name="Keep edges" />
-        </Section>
+        <SharedPanel document={document} name="Keep edges" folded />
         <Section name="Equaliser" folded>
           <EqualiserPanel document={document} />
         </Section>
         <Section name="Palette" folded>
           <PalettePanel document={document} />
         </Section>
-        {document.hasColours && (
-          <Section name="Colours" folded>
-            <WidgetPanel document={document} name="Colours" />
-          </Section>
-        )}
+        {document.hasColours && <SharedPanel document={document} name="Colours" folded />}
         {props.children}
       </Gradual>
     </aside>
@@ -82,9 +80,7 @@ function LimitsPanel({ document }: PanelProps) {
 export function ShowSections({ document, figures }: PanelProps & { figures: boolean }) {
   return (
     <Gradual>
-      <Section name="View">
-        <WidgetPanel document={document} name="View" />
-      </Section>
+      <SharedPanel document={document} name="View" />
       <Section name="History">
         <HistoryPanel document={document} />
       </Section>
@@ -94,12 +90,8 @@ export function ShowSections({ document, figures }: PanelProps & { figures: bool
       <Section name="Numbers">
         <NumbersPanel document={document} />
       </Section>
-      <Section name="Light" folded>
-        <WidgetPanel document={document} name="Light" />
-      </Section>
-      <Section name="Camera" folded>
-        <WidgetPanel document={document} name="Camera" />
-      </Section>
+      <SharedPanel document={document} name="Light" folded />
+      <SharedPanel document={document} name="Camera" folded />
       {figures && (
         <Section name="Figures">
           <Figures figures={document.figures} />
