@@ -18,14 +18,6 @@ static TriangleCorners corners_of(const DisplacedPage& page, uint32_t triangle) 
   return corners;
 }
 
-std::optional<SurfaceHit> point_on_page_triangle(const DisplacedPage& page, const Ray& ray,
-                                                 uint32_t triangle) {
-  const TriangleCorners corners = corners_of(page, triangle);
-  const auto plane = hit_plane(corners.displaced, ray);
-  if (!plane) return std::nullopt;
-  return make_hit(corners, triangle, *plane);
-}
-
 std::optional<SurfaceHit> nearest_hit(const DisplacedPage& page, const Ray& ray, uint32_t first,
                                       uint32_t count) {
   std::optional<SurfaceHit> nearest;

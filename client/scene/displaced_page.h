@@ -19,12 +19,6 @@ struct DisplacedPage {
 /// Returns the position in file units.
 Vec3d displaced_position(const DisplacedPage& page, size_t vertex);
 
-/// Returns the point of this triangle that the ray meets, or the nearest point to it in the
-/// triangle's plane: by rounding, the ray of a pixel may miss the triangle that the picture shows
-/// there. Returns nothing if the ray runs along the plane or away from it.
-std::optional<SurfaceHit> point_on_page_triangle(const DisplacedPage& page, const Ray& ray,
-                                                 uint32_t triangle);
-
 /// Returns the first point where the ray meets these triangles. Cost: O(count).
 std::optional<SurfaceHit> nearest_hit(const DisplacedPage& page, const Ray& ray, uint32_t first,
                                       uint32_t count);

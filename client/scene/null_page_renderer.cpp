@@ -61,12 +61,12 @@ Status NullPageRenderer::draw(const Camera& camera, const ImageSize& size, const
   size_ = size;
   style_ = style;
   patches_ = {patches.begin(), patches.end()};
-  ++draw_count_;
+  has_drawn_ = true;
   return Status::ok();
 }
 
 Result<Image> NullPageRenderer::read_pixels() {
-  if (draw_count_ == 0) return failed_precondition("nothing has been drawn yet");
+  if (!has_drawn_) return failed_precondition("nothing has been drawn yet");
   return Image{size_, std::vector<uint8_t>(3 * size_t(size_.width) * size_.height)};
 }
 

@@ -23,7 +23,6 @@ class NullPageRenderer : public PageRenderer {
               std::span<const PatchRange> patches) override;
   Result<Image> read_pixels() override;
 
-  uint64_t draw_count() const { return draw_count_; }
   uint64_t move_count() const { return move_count_; }               ///< of move_page()
   const Camera& camera() const { return camera_; }                  ///< of the last draw()
   const DrawStyle& style() const { return style_; }                 ///< of the last draw()
@@ -53,8 +52,8 @@ class NullPageRenderer : public PageRenderer {
   Slot& filled(uint32_t slot, size_t vertices);
 
   std::vector<Slot> slots_;
-  uint64_t draw_count_ = 0;
   uint64_t move_count_ = 0;
+  bool has_drawn_ = false;
   Camera camera_;
   DrawStyle style_;
   ImageSize size_;

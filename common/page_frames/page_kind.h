@@ -3,9 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "common/base/limits.h"
-#include "common/grid/cell_corners.h"
-
 namespace burnish {
 
 /// What the values of a page are. All frames of a stream have one kind.
@@ -13,9 +10,6 @@ enum class PageFrameKind : uint8_t {
   kVertices,  ///< the displacement of each vertex, in the page's order
   kCorners,   ///< the displacement of the corners of the vertices' cells (page_corners.h)
 };
-
-/// Limit of the values of a page of either kind.
-inline constexpr uint32_t kPageValuesMax = kCornersPerCell * kPageVerticesMax;
 
 /// Returns the largest number of bytes that the key of a page takes in a frame, before compression.
 size_t page_key_bytes_max(uint32_t values);

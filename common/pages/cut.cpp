@@ -19,20 +19,4 @@ void close_cut(const PageDirectory& directory, std::span<uint8_t> set) {
       for (const PageId coarser : directory.coarser[page]) set[coarser] = 1;
 }
 
-std::vector<DrawnPatch> drawn_patches(const PageDirectory& directory,
-                                      std::span<const uint8_t> set) {
-  std::vector<DrawnPatch> drawn;
-  for (PageId page = 0; page < set.size(); ++page) {
-    if (set[page] != 0) {
-      if (page < directory.head.level_begin(1)) drawn.push_back({page, kNoPage});
-      continue;
-    }
-    for (const PageId coarser : directory.coarser[page])
-      if (set[coarser] != 0) drawn.push_back({coarser, page});
-  }
-  std::ranges::sort(drawn, {},
-                    [](const DrawnPatch& patch) { return std::pair(patch.page, patch.finer); });
-  return drawn;
-}
-
 }  // namespace burnish

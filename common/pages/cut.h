@@ -20,21 +20,9 @@ bool is_legal_cut(const PageDirectory& directory, std::span<const uint8_t> set);
 /// Adds what the set lacks to be a legal cut. Shapes: one byte per page. Cost: O(pages + links).
 void close_cut(const PageDirectory& directory, std::span<uint8_t> set);
 
-/// A patch that a picture draws: the one of `page` that replaces `finer`, which is kNoPage at level
-/// 0.
-struct DrawnPatch {
-  PageId page;
-  PageId finer;
-  bool operator==(const DrawnPatch&) const = default;
-};
-
 /// Returns whether the picture of a set draws a patch of a page in the set.
 inline bool is_drawn(const PagePatch& patch, std::span<const uint8_t> set) {
   return patch.finer == kNoPage || set[patch.finer] == 0;
 }
-
-/// Lists the patches of pages in the set whose finer page is not in the set, by page and by finer
-/// page. Shapes: one byte per page.
-std::vector<DrawnPatch> drawn_patches(const PageDirectory& directory, std::span<const uint8_t> set);
 
 }  // namespace burnish

@@ -196,9 +196,11 @@ DirectoryBlock SyntheticScan::block(uint32_t index) const {
 
 double SyntheticScan::drawn_area(const PageSet& set) const {
   double area = 0;
-  for (const DrawnPatch& patch : drawn_patches(directory, set))
-    area += patch.finer == kNoPage ? places[patch.page].volume()
-                                   : area_where_they_meet(places[patch.page], places[patch.finer]);
+  for (PageId page = 0; page < set.size(); ++page)
+    for (const PagePatch& patch : patches[page])
+      if (set[page] != 0 && is_drawn(patch, set))
+        area += patch.finer == kNoPage ? places[page].volume()
+                                       : area_where_they_meet(places[page], places[patch.finer]);
   return area;
 }
 

@@ -66,10 +66,11 @@ TEST(PageLayout, TheLargestPageFits) {
                               static_cast<uint16_t>((13 * t + 5) % kPageVerticesMax)});
   EXPECT_EQ(make_vertex_page_layout(page).value_count(), kPageVerticesMax);
   PageCorners corners;
-  for (uint32_t i = 0; i < kPageValuesMax; ++i) corners.places.push_back(i);
+  constexpr uint32_t kCornersMax = kCornersPerCell * kPageVerticesMax;
+  for (uint32_t i = 0; i < kCornersMax; ++i) corners.places.push_back(i);
   const PageLayout layout = make_corner_page_layout(corners);
-  EXPECT_EQ(layout.value_count(), kPageValuesMax);
-  EXPECT_THAT(layout.predictors[kPageValuesMax - 1], testing::SizeIs(3));
+  EXPECT_EQ(layout.value_count(), kCornersMax);
+  EXPECT_THAT(layout.predictors[kCornersMax - 1], testing::SizeIs(3));
 }
 
 }  // namespace
