@@ -1,6 +1,7 @@
 #include "client/connection/live_stream.h"
 
-#include "client/connection/callback_threads.h"
+#include <future>
+
 #include "client/connection/connection_state.h"
 #include "common/wire/live_wire.h"
 
@@ -8,6 +9,24 @@ namespace burnish {
 
 // Operations start on the thread that owns the stream, not in reactions: a hold keeps gRPC from
 // ending the call between two of them.
+
+// Keeps gRPC's threads for callbacks, once they are there, as long as the process lives. gRPC 1.51
+// ends them with the last channel that needs them, and aborts when that happens on one of them: a
+// stream that outlives its channel's other owners ends exactly there. So a channel that leads
+// nowhere is never destroyed; its one call fails at once.
+static void keep_callback_threads() {
+  [[gnu::used]] static const auto* kept = [] {
+    auto* channel = new std::shared_ptr<grpc::Channel>(grpc::CreateChannel("", nullptr));
+    grpc::ClientContext context;
+    const v1::GetStateRequest request;
+    v1::SessionState response;
+    std::promise<void> done;
+    v1::Editing::Stub(*channel).async()->GetState(
+        &context, &request, &response, [&done](const grpc::Status&) { done.set_value(); });
+    done.get_future().wait();
+    return channel;
+  }();
+}
 
 LiveStream::LiveStream(std::shared_ptr<grpc::Channel> channel, std::shared_ptr<Wakeup> wakeup)
     : channel_(std::move(channel)),

@@ -1,13 +1,15 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <new>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "common/picture/picture_formats.h"
-#include "common/picture/png_chunks.h"
 #include "common/picture/png_reading.h"
 #include "common/picture/rewriters.h"
 
@@ -16,6 +18,39 @@ namespace burnish {
 namespace {
 
 constexpr uint64_t kPngCodecBytes = uint64_t{1} << 20;  // zlib's windows and libpng's buffers
+
+/// A chunk of a PNG file.
+struct PngChunk {
+  std::string_view kind;  ///< four letters
+  std::span<const uint8_t> data;
+  bool is_behind_pixels = false;
+};
+
+constexpr size_t kSignatureBytes = 8, kWordBytes = 4;
+constexpr size_t kFrameBytes = 3 * kWordBytes;  // length, kind and sum
+
+size_t word_at(std::span<const uint8_t> bytes) {
+  return size_t{bytes[0]} << 24 | size_t{bytes[1]} << 16 | size_t{bytes[2]} << 8 | bytes[3];
+}
+
+/// Lists the chunks of a PNG file in their order, without the header, the pixels and the end. Ends
+/// where the file does not go on as one.
+std::vector<PngChunk> list_png_chunks(std::span<const uint8_t> bytes) {
+  std::vector<PngChunk> chunks;
+  bool is_behind_pixels = false;
+  for (size_t at = kSignatureBytes; at < bytes.size() && bytes.size() - at >= kFrameBytes;) {
+    const size_t size = word_at(bytes.subspan(at));
+    if (size > bytes.size() - at - kFrameBytes) break;
+    const auto kind = bytes.subspan(at + kWordBytes, kWordBytes);
+    const std::string_view name(reinterpret_cast<const char*>(kind.data()), kind.size());
+    if (name == "IEND") break;
+    if (name == "IDAT") is_behind_pixels = true;
+    if (name != "IDAT" && name != "IHDR")
+      chunks.push_back({name, bytes.subspan(at + 2 * kWordBytes, size), is_behind_pixels});
+    at += kFrameBytes + size;
+  }
+  return chunks;
+}
 
 /// The rows of a picture, as they are written.
 struct PngLayout {

@@ -1,10 +1,13 @@
 #include "server/prepare/integrate_cells.h"
 
 #include <algorithm>
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "common/base/heard_loop.h"
-#include "server/prepare/piece_curvature.h"
+#include "server/prepare/radix_sort.h"
+#include "server/prepare/unset_vector.h"
 
 namespace burnish {
 
@@ -20,6 +23,46 @@ struct CellBatch {
 
   size_t cells() const { return starts.size() - 1; }
 };
+
+/// The curvature of the triangles of some pieces, made once for each triangle. Keeps its memory
+/// from one batch to the next.
+class PieceCurvature {
+ public:
+  explicit PieceCurvature(const MeshCurvature& curvature) : curvature_(curvature) {}
+
+  void load(std::span<const CellPiece> pieces);
+
+  /// Returns the curvature of a loaded piece's triangle.
+  const TriangleCurvature& operator[](size_t piece) const { return loaded_[place_[piece]]; }
+
+ private:
+  struct PieceOfTriangle {
+    uint32_t triangle;
+    uint32_t piece;
+  };
+
+  const MeshCurvature& curvature_;
+  UnsetVector<PieceOfTriangle> order_, spare_;
+  UnsetVector<uint32_t> place_;      // per piece, in loaded_
+  UnsetVector<uint32_t> triangles_;  // rising
+  UnsetVector<TriangleCurvature> loaded_;
+};
+
+void PieceCurvature::load(std::span<const CellPiece> pieces) {
+  order_.resize(pieces.size());
+  spare_.resize(pieces.size());
+  place_.resize(pieces.size());
+  for (uint32_t i = 0; i < pieces.size(); ++i) order_[i] = {pieces[i].triangle, i};
+  radix_sort(std::span(order_), std::span(spare_), std::mem_fn(&PieceOfTriangle::triangle));
+  triangles_.clear();
+  for (const PieceOfTriangle& of : order_) {
+    if (triangles_.empty() || triangles_.back() != of.triangle) triangles_.push_back(of.triangle);
+    place_[of.piece] = static_cast<uint32_t>(triangles_.size() - 1);
+  }
+  loaded_.resize(triangles_.size());
+#pragma omp parallel for schedule(static)
+  for (size_t i = 0; i < triangles_.size(); ++i) loaded_[i] = curvature_.of(triangles_[i]);
+}
 
 // A huge cell has a batch of its own.
 void next_batch(std::span<const CellPiece> pieces, size_t begin, CellBatch& batch) {

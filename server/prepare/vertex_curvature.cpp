@@ -1,11 +1,46 @@
 #include "server/prepare/vertex_curvature.h"
 
 #include "server/prepare/triangle_shape.h"
-#include "server/prepare/vertex_triangles.h"
 
 namespace burnish {
 
 static constexpr double kCancelledNormal = 1e-12;  // of the sum of the parts' lengths
+
+namespace {
+
+/// The triangles around each vertex, rising, so that sums over them do not depend on the number of
+/// threads. A triangle that repeats a vertex is there once per corner.
+class VertexTriangles {
+ public:
+  /// Throws: WorkCancelled.
+  VertexTriangles(const MeshView& mesh, const ScratchSpace& space,
+                  const LoopPart& part = kUnheardLoop);
+
+  std::span<const uint32_t> operator[](size_t vertex) const {
+    return {triangles_.data() + start_[vertex], triangles_.data() + start_[vertex + 1]};
+  }
+
+ private:
+  ScratchArray<uint64_t> start_;
+  ScratchArray<uint32_t> triangles_;
+};
+
+// Counts a vertex two places further up, so that filling moves each start to its own place.
+VertexTriangles::VertexTriangles(const MeshView& mesh, const ScratchSpace& space,
+                                 const LoopPart& part)
+    : start_(space, mesh.vertices.size() + 2), triangles_(space, 3 * mesh.triangles.size()) {
+  for_each_heard(part.of(0, 0.3), mesh.triangles.size(), [&](size_t t) {
+    for (const uint32_t v : mesh.triangles[t]) ++start_[v + 2];
+  });
+  for_each_heard(part.of(0.3, 0.4), mesh.vertices.size(),
+                 [&](size_t v) { start_[v + 2] += start_[v + 1]; });
+  for_each_heard(part.of(0.4, 1), mesh.triangles.size(), [&](size_t t) {
+    for (const uint32_t v : mesh.triangles[t])
+      triangles_[start_[v + 1]++] = static_cast<uint32_t>(t);
+  });
+}
+
+}  // namespace
 
 static int corner_of(const Triangle& triangle, uint32_t vertex) {
   return triangle[0] == vertex ? 0 : triangle[1] == vertex ? 1 : 2;

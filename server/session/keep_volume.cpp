@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <vector>
 
 #include "common/evaluation/evaluation.h"
 #include "common/grid/morton.h"
 #include "server/session/corner_normals.h"
-#include "server/session/piece_centres.h"
 #include "server/session/volume_root.h"
 
 namespace burnish {
@@ -24,6 +25,28 @@ double det(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
 
 Vec3d middle_of(const PreparedMesh& prepared) {
   return prepared.frame.to_grid(prepared.statistics.box_min / 2 + prepared.statistics.box_max / 2);
+}
+
+using Vec4d = Eigen::Vector4d;  // a sum of places by area, and the area
+
+/// Returns for each corner of the finest depth the centre of its piece of surface: the mean of the
+/// piece's cells by area. Cells that share a corner are of one piece. Units: cells.
+std::vector<Vec3f> piece_centres(const PreparedMesh& prepared, const SparseGrid& grid) {
+  constexpr double kAreaLeast = 1e-30;  // a piece of slivers has a centre too
+  std::map<int32_t, Vec4d> pieces;
+  for (size_t cell = 0; cell < grid.cells.size(); ++cell) {
+    const Vec3d middle = morton_point(grid.cells[cell].place).cast<double>().array() + 0.5;
+    Vec4d share;
+    share << middle, 1;
+    const auto sum = pieces.try_emplace(grid.cells[cell].component, Vec4d::Zero()).first;
+    sum->second += (prepared.curvature[cell].area + kAreaLeast) * share;
+  }
+  std::vector<Vec3f> centres(grid.corners.size());
+  for (size_t corner = 0; corner < centres.size(); ++corner) {
+    const Vec4d& sum = pieces.at(grid.corners[corner].component);
+    centres[corner] = (sum.head<3>() / sum.w()).cast<float>();
+  }
+  return centres;
 }
 
 /// Adds up a sum of each triangle. `of` takes a triangle and a sum of such a type.

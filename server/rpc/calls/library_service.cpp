@@ -8,11 +8,49 @@
 #include "server/rpc/calls/describe_calls.h"
 #include "server/rpc/calls/fetch_calls.h"
 #include "server/rpc/calls/import_call.h"
-#include "server/rpc/calls/prepare_call.h"
-#include "server/rpc/calls/propose_edges_call.h"
+#include "server/rpc/reactor/event_call.h"
 #include "server/rpc/reactor/start_call.h"
 
 namespace burnish {
+
+namespace {
+
+/// Library.PrepareScan: progress while the store prepares, then the scan.
+class PrepareCall final : public EventCall<PrepareCall, v1::PrepareScanRequest, v1::PrepareEvent> {
+ public:
+  using EventCall::EventCall;
+
+  Status run() {
+    ASSIGN_OR_RETURN(const PreparedKey key,
+                     prepared_key_from_wire(request_.depth(), request_.curvature_radius()));
+    ASSIGN_OR_RETURN(const ScanInfo scan, calls_.store.find(request_.scan()));
+    RETURN_IF_ERROR(
+        calls_.store.prepare_scan(scan.id, resolve(key, scan), progress(), calls_.user));
+    ASSIGN_OR_RETURN(const ScanInfo prepared, calls_.store.find(scan.id));
+    v1::PrepareEvent event;
+    *event.mutable_done() = to_wire(prepared);
+    events_.push(std::move(event));
+    return Status::ok();
+  }
+};
+
+/// Library.ProposeEdges: progress while the store measures the scan, then what it proposes.
+class ProposeEdgesCall final
+    : public EventCall<ProposeEdgesCall, v1::ProposeEdgesRequest, v1::ProposeEdgesEvent> {
+ public:
+  using EventCall::EventCall;
+
+  Status run() {
+    ASSIGN_OR_RETURN(const ScanInfo scan, calls_.store.find(request_.scan()));
+    ASSIGN_OR_RETURN(const EdgeProposal proposal, calls_.store.propose_edges(scan.id, progress()));
+    v1::ProposeEdgesEvent event;
+    *event.mutable_done() = to_wire(proposal);
+    events_.push(std::move(event));
+    return Status::ok();
+  }
+};
+
+}  // namespace
 
 grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>* LibraryService::Import(
     grpc::CallbackServerContext* context) {

@@ -1,11 +1,11 @@
 #include "server/solver/tuning/plan_cycle.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <optional>
 #include <utility>
 
-#include "server/solver/tuning/flat_parts.h"
 #include "server/solver/tuning/slow_spots.h"
 
 namespace burnish {
@@ -21,8 +21,26 @@ constexpr int kTrialsMax = 3;
 constexpr size_t kFewSpots = 16;  // after so few spots the next trial would find hardly any
 constexpr int32_t kTrialCornersMax = 4'000'000;  // a trial needs the memory of a session on the CPU
 
+// Energy goes with the square of the bend: 1e-8 is still far above the 38 bits of S on CUDA.
+constexpr double kFlatBend = 1e-4;
+constexpr double kFlatShareMin = 1e-3;  // a lone cell is flat by chance
+
 double share_of_irregular_rows(const HierarchyDepth& depth) {
   return static_cast<double>(depth.stencil.irregular.count()) / depth.grid.corner_count();
+}
+
+/// Returns whether some of the surface is flat: it bends by less than 1e-4 across a cell. A flat
+/// piece has moves that take no energy in exact numbers; rounded numbers give them one, of either
+/// sign. Scans are never flat because of their noise; designed parts and filled holes are.
+bool has_flat_parts(const PreparedMesh& prepared) {
+  double flat = 0, whole = 0;
+  for (const CellCurvature& cell : prepared.curvature) {
+    const double bend =
+        std::max(std::abs(cell.kappa1), std::abs(cell.kappa2)) * prepared.alpha_scale();
+    whole += cell.area;
+    if (bend < kFlatBend) flat += cell.area;
+  }
+  return flat > kFlatShareMin * whole;
 }
 
 /// Returns the first depth with weak parts, or nothing if few sheets come together.
