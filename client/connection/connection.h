@@ -145,7 +145,7 @@ class Connection {
 
   /// How far the edits moved the surface as it is now.
   Result<SessionDeviation> deviation(const std::string& session);
-  /// Where a plane cuts the surface, before the edits and as it is now.
+  /// Returns the lines in which a plane cuts the surface, before the edits and as it is now.
   Result<Section> section(const SectionWish& wish);
   /// Names the unit of a scan's coordinates. Fails: invalid_argument as check_unit().
   Result<ScanInfo> set_scan_unit(const std::string& scan, const std::string& unit);

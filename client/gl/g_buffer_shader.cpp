@@ -27,7 +27,7 @@ vec3 unfolded(vec2 square) {
   return normalize(vec3(height < 0.0 ? (1.0 - abs(square.yx)) * turned : square, height));
 }
 
-// Where the ray of a pixel is at distance 1.
+// Returns a pixel's ray at distance 1.
 vec2 across(ivec2 pixel) { return (2.0 * (vec2(pixel) + 0.5) / vec2(size) - 1.0) * half_view; }
 
 Place place_at(ivec2 pixel, int index) {

@@ -40,7 +40,7 @@ Lit raking(vec3 base, vec3 n, vec3 to_eye) {
   return Lit(base * light + lamp_highlight(n, to_eye), min(luminance(light) / 1.7, 1.0));
 }
 
-// Where the eye sees a bright square by reflection, from its middle and half its side.
+// Whether the eye sees a bright square by reflection: its middle and half its side.
 float window(vec3 n, vec2 middle, float half_side) {
   vec2 away = abs(2.0 * n.z * n.xy - middle);
   return 1.0 - smoothstep(0.8 * half_side, half_side, max(away.x, away.y));

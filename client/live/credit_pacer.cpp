@@ -84,7 +84,7 @@ void CreditPacer::adapt_window(Time now, double queued_ms) {
   }
 }
 
-// Whoever looks more often than pictures are drawn must not put the next frame off each time.
+// Somebody who looks more often than pictures are drawn must not put the next frame off each time.
 void CreditPacer::on_drawn(Time now) {
   const std::chrono::duration<double, std::milli> since_last = now - last_drawn_;
   if (undrawn_ > 0 || since_last.count() >= draw_interval_ms_) last_drawn_ = now;

@@ -43,7 +43,7 @@ class FrameReceiver {
   /// Returns the revision of the shown pages that the stream's newest frame has.
   uint32_t shown_revision() const { return reader_.shown_revision(); }
 
-  /// What the server has to know about the frames since the last call.
+  /// Returns what the server has to know about the frames since the last call.
   FrameCredit take_answers();
   bool has_answers() const;
 

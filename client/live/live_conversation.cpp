@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-// What another try may cure. The rest is about what was asked for, or who asked.
+// Another try may cure these. The rest is about what was asked for, or who asked.
 static bool is_worth_another_try(StatusCode code) {
   switch (code) {
     case StatusCode::kOk:

@@ -65,7 +65,7 @@ class LiveConversation {
   std::optional<std::chrono::milliseconds> end(const Status& of_stream);
 
  private:
-  // What is heard (live_conversation_heard.cpp). An error ends the session.
+  // Take messages (live_conversation_heard.cpp). An error ends the session.
   Status take_in(ProgressReport& report);
   Status take_in(Welcome& welcome);
   Status take_in(const LiveFrame& frame);
@@ -87,7 +87,7 @@ class LiveConversation {
   const std::shared_ptr<ServerRoute> route_;
   const LiveOptions options_;
 
-  // Of the driver alone.
+  // Only the driver uses these.
   std::string server_;  // of the stream: its address
   FrameReceiver receiver_;
   std::vector<std::shared_ptr<const Page>> added_pages_;  // of the next message, if it adds pages

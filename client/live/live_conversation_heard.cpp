@@ -1,4 +1,4 @@
-// What LiveConversation does with what the server says.
+// The part of LiveConversation that takes the server's messages.
 
 #include <algorithm>
 
@@ -137,7 +137,7 @@ bool is_link(const LiveEvent& event, LinkState state) {
   return change != nullptr && change->state == state;
 }
 
-// That a link was lost is told even if it is back already.
+// A lost link is told even if it is back already.
 bool replaces(const LiveEvent& next, const LiveEvent& last) {
   if (next.index() != last.index()) return false;
   if (is_link(next, LinkState::kLive) && is_link(last, LinkState::kLost)) return false;
@@ -147,7 +147,7 @@ bool replaces(const LiveEvent& next, const LiveEvent& last) {
 
 }  // namespace
 
-// Of what replaces itself the newest is enough, so that nobody who does not listen costs memory.
+// Keeps the newest of events that replace each other: nobody who does not listen costs memory.
 void LiveConversation::tell(LiveEvent event) {
   std::erase_if(news_.events, [&](const LiveEvent& last) { return replaces(event, last); });
   news_.events.push_back(std::move(event));

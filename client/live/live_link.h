@@ -56,7 +56,7 @@ class LiveLink {
   virtual void preview(const std::string& edit_id, PreviewChange change) = 0;
   virtual void drop_preview(const std::string& edit_id) = 0;
 
-  /// Where this person's brush is; nothing: it left the surface.
+  /// Tells the place of this person's brush; nothing: it left the surface.
   virtual void move_brush(const std::optional<BrushRing>& ring) = 0;
 
   /// Changes the pages that frames carry; at first there are none. They are kept until they are

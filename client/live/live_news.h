@@ -11,7 +11,7 @@
 
 namespace burnish {
 
-// What a live session has to tell, taken once per drawn picture (SessionLink::take).
+// The news of a live session, taken once per drawn picture (SessionLink::take).
 
 enum class LinkState {
   kConnecting,  ///< for the first time
@@ -27,8 +27,8 @@ const char* link_state_name(LinkState state);
 struct LinkStats {
   FrameStats frame;     ///< of the newest frame
   uint64_t frames = 0;  ///< since the session was made; 0: nothing else here means anything
-  /// Of the newest frame, when it was decoded: from the newest heartbeat that the server had when
-  /// it made the frame, less half a round trip. Too long by the time between two heartbeats at
+  /// Age of the newest frame when it was decoded: from the newest heartbeat that the server had
+  /// when it made the frame, less half a round trip. Too long by the time between two heartbeats at
   /// most.
   double age_ms = 0;
   double waited_ms = 0;  ///< from then until it was taken

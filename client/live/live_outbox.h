@@ -13,7 +13,7 @@
 
 namespace burnish {
 
-/// What a client has to say to its live session, one message at a time. What waits for its turn is
+/// Says to a live session what a client has to say, one message at a time. Waiting messages are
 /// merged, so that a stalled link costs bounded memory; edits are kept until they are answered, and
 /// said again on the next stream.
 class LiveOutbox {

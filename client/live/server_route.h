@@ -12,7 +12,7 @@ namespace burnish {
 /// is waited for.
 inline constexpr int kMovesMax = 5;
 
-/// Where the server of a session is reached. A session may move to another server of a fleet; all
+/// The address of a session's server. A session may move to another server of a fleet; all
 /// that talk about it share this. Thread-safe.
 class ServerRoute {
  public:

@@ -9,13 +9,13 @@
 
 namespace burnish {
 
-/// Where a frame has the vertices of one page.
+/// The places of a page's vertices in a frame.
 struct PageMove {
   std::vector<Vec3f> displacements;  ///< cells, one per vertex in the page's order
   uint8_t gain = 0;                  ///< exponent of two: no cell of the page has a larger beta
 };
 
-/// Where one frame has the surface, for all pages that it carries. Immutable once it is shared.
+/// The surface in one frame, for all pages that it carries. Immutable once it is shared.
 struct SurfaceFrame {
   uint64_t number = 0;        ///< rises from 1 over all streams of a link
   bool is_exact = false;      ///< nothing is rounded beyond 1/256 cell

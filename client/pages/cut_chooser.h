@@ -10,7 +10,7 @@
 
 namespace burnish {
 
-/// What a cut is chosen for.
+/// The needs and limits by which a cut is chosen.
 struct CutQuestion {
   PageView view;
   FrameBounds frame;

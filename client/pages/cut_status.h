@@ -21,7 +21,7 @@ enum class CutReason {
   kFailed,     ///< pages did not come in several tries
 };
 
-/// What a status line says of a picture.
+/// The state of a picture, for a status line.
 struct CutStatus {
   /// In the middle of the picture every triangle in view is the scan's own, or its edges are below
   /// a pixel and its distance from the scan below a sixth of one (a twelfth without a graphics

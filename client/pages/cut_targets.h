@@ -58,13 +58,13 @@ inline float excess_of(const PageBounds& bounds, const PageView& view, const Fra
   return over * view.pixels_at_one / distance_to(view, bounds, frame.largest_move);
 }
 
-/// What a page costs on the card: a slot, full or not.
+/// Cost of a page on the card: a slot, full or not.
 inline constexpr uint32_t kCardBytesPerVertex = 44;  // of PageStreams (client/gl)
 inline constexpr uint32_t kCardBytesPerTriangle = 12;
 inline constexpr uint64_t kSlotBytes =
     kPageVerticesMax * kCardBytesPerVertex + kPageTrianglesMax * kCardBytesPerTriangle;
 
-/// What pictures may cost. A cut aims at 90 % of each, but for the directory's.
+/// Limits of what pictures cost. A cut aims at 90 % of each, but for the directory's.
 struct PageBudget {
   uint64_t triangles = 2'000'000;                            ///< drawn in a picture
   uint64_t vertices = std::numeric_limits<uint64_t>::max();  ///< of the cut: values in a frame

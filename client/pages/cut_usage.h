@@ -11,7 +11,7 @@ namespace burnish {
 /// The parts of PageBudget, and what may stop a cut short of its targets.
 enum class CutLimit { kNone, kTriangles, kVertices, kMemory, kCard };
 
-/// What a cut costs.
+/// The costs of a cut.
 struct CutUsage {
   uint64_t triangles = 0;
   uint64_t vertices = 0;

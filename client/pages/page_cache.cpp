@@ -9,7 +9,7 @@ namespace burnish {
 
 namespace {
 
-// What a page in the cache takes beside its arrays: itself, its place in map and order.
+// A page in the cache takes this beside its arrays: itself, its place in map and order.
 constexpr uint64_t kEntryBytes = sizeof(CachedPage) + sizeof(Page) + 128;
 
 uint64_t byte_count(const Page& page) {

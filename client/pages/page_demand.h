@@ -29,13 +29,13 @@ struct WantedBlock {
   bool is_seen = false;
 };
 
-/// What a picture wants, whatever it costs.
+/// The wants of a picture, whatever they cost.
 struct PageDemand {
   std::vector<WantedPage> pages;  ///< by number, from fine to coarse; the root is last
   std::vector<WantedBlock> blocks;
 };
 
-/// What a page out of view counts, compared with one in view. So what lies beside the picture is
+/// Weight of a page out of view, compared with one in view. So what lies beside the picture is
 /// there coarsely when the camera turns to it.
 inline constexpr float kUnseenWeight = 0.01f;
 

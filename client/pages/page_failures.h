@@ -16,9 +16,9 @@ struct GivenUpItem {
   Status last_failure;
 };
 
-/// What failed to come or came damaged, and when it may be asked for again: after a pause that
-/// doubles, kTries times in all. Then it is given up, and told once. Sheets are tried less often,
-/// for a picture is whole without them.
+/// Items that failed to come or came damaged, and when they may be asked for again: after a pause
+/// that doubles, kTries times in all. Then it is given up, and told once. Sheets are tried less
+/// often, for a picture is whole without them.
 class PageFailures {
  public:
   using Time = std::chrono::steady_clock::time_point;

@@ -6,7 +6,7 @@
 
 namespace burnish {
 
-// Where pictures are slow, a hand that stops for a moment must not wait for a fine one.
+// A hand that stops for a moment must not wait for a fine picture, if pictures are slow.
 static constexpr std::chrono::milliseconds kRest{300};
 
 PageLoader::PageLoader(PageHead head, const PageBudget& budget, bool is_software)

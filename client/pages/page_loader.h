@@ -16,7 +16,7 @@
 
 namespace burnish {
 
-/// What a picture asks for.
+/// The request of a picture.
 struct PictureQuestion {
   PageView view;
   FrameBounds frame;
@@ -97,7 +97,7 @@ class PageLoader {
   const PageRequests& in_flight() const { return requests_; }
 
  private:
-  /// What the picture's cut still needs. Items that were given up do not count.
+  /// The needs of the picture's cut. Items that were given up do not count.
   struct Needs {
     std::vector<MissingItem> missing;
     std::vector<MissingItem> held;

@@ -11,7 +11,7 @@
 
 namespace burnish {
 
-/// What is known of the link to the server; 0 is unknown.
+/// The speed of the link to the server, as far as it is known; 0 is unknown.
 struct LinkSpeed {
   double bytes_per_second = 0;
   double round_trip_seconds = 0;

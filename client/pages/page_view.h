@@ -12,14 +12,14 @@
 
 namespace burnish {
 
-/// What a picture must know of the camera to choose pages. File units, relative to
+/// The camera, as far as the choice of pages needs it. File units, relative to
 /// PageGrid::origin.
 struct PageView {
   Vec3f eye = Vec3f::Zero();
   float pixels_at_one = 1;  ///< what a length of 1 measures at distance 1 in the picture's middle
   float nearest = 0;        ///< nothing nearer to the eye is drawn; above 0
   bool parallel = false;    ///< orthographic: everything is as large as at `nearest`
-  /// What is drawn lies on the positive side of each: n·x + d >= 0, |n| = 1.
+  /// Drawn points lie on the positive side of each: n·x + d >= 0, |n| = 1.
   std::array<Eigen::Vector4f, 6> planes;
 
   bool operator==(const PageView&) const = default;
@@ -27,7 +27,7 @@ struct PageView {
 
 PageView make_page_view(const Camera& camera, const ImageSize& size, const PageGrid& grid);
 
-/// What the shown frame says of all pages together.
+/// Bounds of the shown frame, all pages together.
 struct FrameBounds {
   float largest_move = 0;  ///< of a vertex, file units
   float gain = 1;          ///< at least the largest β: sharpening magnifies what is left out

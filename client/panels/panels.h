@@ -31,7 +31,7 @@ inline constexpr SharedPanel kColourPanel = {"Colours", show_colours};
 inline constexpr SharedPanel kLightPanel = {"Light", show_light};
 /// How the surface is shown.
 inline constexpr SharedPanel kViewPanel = {"View", show_view};
-/// Where the surface is seen from.
+/// The point from which the surface is seen.
 inline constexpr SharedPanel kCameraPanel = {"Camera", show_camera};
 /// The bounds on what edits do, and the region in which nothing moves.
 inline constexpr SharedPanel kLimitsPanel = {"Limits", show_limits};

@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-// Where any step to the card fails, processors draw.
+// Processors draw if any step to the card fails.
 static std::unique_ptr<PageRenderer> renderer_of_card() {
   if (card_capabilities().is_software) return nullptr;
   auto renderer = GlPageRenderer::create();

@@ -326,7 +326,7 @@ void prefetch_corners(const ShadedScene& scene, const Fragment& fragment) {
   }
 }
 
-// Where OpenGL's drivers light a fragment: a pixel's middle may lie outside its triangle.
+// OpenGL's drivers light a fragment here: a pixel's middle may lie outside its triangle.
 static std::array<float, 2> lit_place(const SamplePlaces& places, const Fragment& fragment) {
   const bool is_whole = fragment.samples == (1 << places.count) - 1;
   const int first = std::countr_zero(static_cast<unsigned>(fragment.samples));

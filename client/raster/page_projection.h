@@ -54,7 +54,7 @@ struct ColumnRange {
   int end = 0;
 };
 
-/// Where a box may be in the picture: pixels, both ends belong to it. Empty: nowhere.
+/// Bounds of a box in the picture: pixels, both ends belong to it. Empty: nowhere.
 struct ScreenBox {
   int left = 0, top = 0, right = -1, bottom = -1;
   float nearness = 1;  ///< no point of the box is nearer

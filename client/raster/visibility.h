@@ -38,7 +38,7 @@ inline float nearness_of_key(SampleKey key) {
 
 inline constexpr int kSamplesMax = 4;
 
-/// Where the samples of a pixel lie: subpixels from its upper left corner. Four lie as OpenGL's
+/// Places of a pixel's samples: subpixels from its upper left corner. Four lie as OpenGL's
 /// drivers have them.
 struct SamplePlaces {
   int count;

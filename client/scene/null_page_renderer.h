@@ -28,7 +28,7 @@ class NullPageRenderer : public PageRenderer {
   const DrawStyle& style() const { return style_; }                 ///< of the last draw()
   std::span<const PatchRange> patches() const { return patches_; }  ///< of the last draw()
 
-  // What a slot holds. Empty: the page is not moved, or not marked. Needs: a reserved slot.
+  // The content of a slot. Empty: the page is not moved, or not marked. Needs: a reserved slot.
   const PageMesh& page(uint32_t slot) const { return slots_[slot].mesh; }
   std::span<const Vec3f> displacements(uint32_t slot) const { return slots_[slot].displacements; }
   std::span<const Vec3f> normals(uint32_t slot) const { return slots_[slot].normals; }

@@ -12,7 +12,7 @@ namespace burnish {
 struct PageMesh {
   std::vector<Vec3f> positions;  ///< one per vertex; the same lattice point gives the same floats
   std::vector<Vec3f> normals;    ///< one per vertex, unit length
-  /// What sum_corner_normals() makes of this page's triangles, for the first vertices, whose
+  /// Results of sum_corner_normals() for this page's triangles, for the first vertices, whose
   /// normals the page carries.
   std::vector<Vec3f> own_sums;
   uint32_t border_vertices = 0;         ///< as in Page
@@ -25,7 +25,7 @@ struct PageMesh {
 /// as vertex_normals() does; without area (0, 0, 1). Needs: check_page() is ok.
 PageMesh make_page_mesh(const Page& page, const PageGrid& grid);
 
-/// What a displacement makes of a page.
+/// A page with a displacement.
 struct MovedPage {
   std::vector<Vec3f> positions;  ///< one per vertex
   std::vector<Vec3f> normals;    ///< one per vertex, unit length

@@ -26,7 +26,7 @@ struct PatchRange {
   bool operator==(const PatchRange&) const = default;
 };
 
-/// What colours a vertex besides its light.
+/// Colours of a vertex besides its light.
 struct VertexMark {
   int8_t value = 0;      ///< what Colouring::kCells shows: -127 is blue, 127 is red
   uint8_t tint = 0;      ///< how strongly it shows DrawStyle::tint: 255 is fully

@@ -14,7 +14,7 @@
 namespace burnish {
 namespace {
 
-/// What pages take of each vertex of the mesh.
+/// Values that pages take of each vertex of the mesh.
 struct VertexAttributes {
   std::vector<Vec3f> positions;
   std::vector<Vec3f> normals;

@@ -47,7 +47,7 @@ void SheetLoader::list_wants(const SheetQuestion& question, const KnownPages& pa
   }
 }
 
-// Where the sheets of a picture do not fit into memory, all become coarser alike.
+// All sheets of a picture become coarser alike if they do not fit into memory.
 float SheetLoader::coarseness() const {
   float coarser = 1;
   for (size_t halvings = 0; halvings < kSheetsPerPageMax; ++halvings, coarser *= 2) {

@@ -4,7 +4,7 @@
 
 namespace burnish {
 
-/// Where jobs are done beside the pictures: on a thread of its own (DeskThread), or where there are
+/// Does jobs beside the pictures: on a thread of its own (DeskThread), or where there are
 /// no threads between two pictures (page_desk_alone.cpp) or by the browser (client/web/core/host).
 /// Used from one thread.
 template <typename Job, typename Done>

@@ -28,7 +28,7 @@ Status delete_own_preset(const std::filesystem::path& path, const std::string& n
 /// Returns one of presets() or of the user's own. Fails: not_found; as read_own_presets().
 Result<Preset> find_any_preset(const std::string& name);
 
-// Where the presets are kept: own_presets_file.cpp, or the store of a browser's page.
+// The store of the presets: own_presets_file.cpp, or that of a browser's page.
 
 /// Returns no text if there is no file. Fails: as errno says.
 Result<std::string> read_own_presets_text(const std::filesystem::path& path);

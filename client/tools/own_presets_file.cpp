@@ -1,4 +1,4 @@
-// Where the user's own presets lie.
+// The file of the user's own presets.
 
 #include "client/tools/own_presets.h"
 #include "client/tools/user_folders.h"

@@ -23,7 +23,7 @@ Status damaged(const std::string& what) {
   return invalid_argument("the archive is damaged: " + what);
 }
 
-/// Where the directory lies.
+/// The place of the directory.
 struct DirectoryPlace {
   uint64_t begin = 0;
   uint64_t bytes = 0;

@@ -37,7 +37,7 @@ class ScratchBlock {
   std::shared_ptr<std::atomic<uint64_t>> count_;  ///< that these bytes are part of
 };
 
-/// Where large arrays lie: in memory up to a limit, then in files of a folder. The files have no
+/// Holds large arrays: in memory up to a limit, then in files of a folder. The files have no
 /// names, so the disk takes them back when the process ends, however it ends. They are mapped: the
 /// kernel writes their pages out and drops them when memory is short. A copy shares the limit.
 /// Threads may use it at the same time.

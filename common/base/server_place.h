@@ -4,7 +4,7 @@
 
 namespace burnish {
 
-/// Where a server of a fleet is. Status::moved() carries its text.
+/// The address of a server in a fleet. Status::moved() carries its text.
 struct ServerPlace {
   std::string address;  ///< HOST:PORT; empty: it is reached through a proxy alone
   std::string node;     ///< its name, by which a proxy finds it; never has '@'

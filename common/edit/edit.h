@@ -120,7 +120,7 @@ struct Edit {
   Change change;
 };
 
-/// What a gesture shows before it is an edit.
+/// A change that a gesture shows before it is an edit.
 using PreviewChange = std::variant<SetGradientScale, SetTransferCurve, Stroke, SetEqualiser,
                                    SetPalette, SetColour, SetEdges, SetTexture>;
 

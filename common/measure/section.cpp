@@ -72,7 +72,7 @@ class Joiner {
   std::unordered_map<uint64_t, std::vector<size_t>> at_edge_;
 };
 
-/// Where the plane crosses edges, in the plane's axes.
+/// Points at which the plane crosses edges, in the plane's axes.
 class Crossings {
  public:
   Crossings(std::span<const Vec3d> vertices, std::span<const double> heights, const Plane& plane)

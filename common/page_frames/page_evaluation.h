@@ -11,7 +11,7 @@
 
 namespace burnish {
 
-/// Where the values of one page lie in a session's grid. A server makes it once per page, depth and
+/// Places of one page's values in a session's grid. A server makes it once per page, depth and
 /// kind, and shares it among the clients that show the page.
 struct PageEvaluation {
   ShownPage shown;

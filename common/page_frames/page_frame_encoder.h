@@ -10,14 +10,14 @@
 
 namespace burnish {
 
-/// What one shown page should have.
+/// The wanted values of one shown page.
 struct WantedPage {
   std::span<const int32_t> steps;  ///< a PageSample's: all x, then all y, then all z, in 1/256 cell
   uint8_t gain = 0;                ///< 2^gain is at least the largest beta in the page's cells
   HeldVertices held = {};          ///< needs a client that knows of them
 };
 
-/// What a client should show.
+/// The pages that a client should show.
 struct PageMoment {
   const ShownPages& shown;
   std::span<const WantedPage> pages;  ///< one per shown page, in the order of their numbers

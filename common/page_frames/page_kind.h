@@ -5,7 +5,7 @@
 
 namespace burnish {
 
-/// What the values of a page are. All frames of a stream have one kind.
+/// The kind of a page's values. All frames of a stream have one kind.
 enum class PageFrameKind : uint8_t {
   kVertices,  ///< the displacement of each vertex, in the page's order
   kCorners,   ///< the displacement of the corners of the vertices' cells (page_corners.h)

@@ -23,7 +23,7 @@ struct PageBounds {
   bool operator==(const PageBounds&) const = default;
 };
 
-/// What a picture must know of a page before it has the page. Error and edge of a coarser page are
+/// Facts of a page for a picture that does not have it yet. Error and edge of a coarser page are
 /// never below those of the pages that it replaces. Nothing replaces the root, so its two are a
 /// choice: the size of the scan does.
 struct PageEntry {
@@ -75,7 +75,7 @@ struct PageHead {
   uint32_t block_of(PageId page) const;
   /// Needs: a block.
   PageRange pages_of(uint32_t block) const;
-  /// Where the pages of a block end in the file, bytes. Needs: a block.
+  /// Returns the end of a block's pages in the file, bytes. Needs: a block.
   uint64_t page_end(uint32_t block) const;
 };
 

@@ -12,7 +12,7 @@
 
 namespace burnish {
 
-/// What a page file says of its scan.
+/// Facts of the scan in a page file.
 struct PageScan {
   PageGrid grid;
   bool has_colours = false;

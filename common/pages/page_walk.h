@@ -59,7 +59,7 @@ struct WalkOrigin {
   uint16_t c = 0;
 };
 
-/// What follows from the code. Vertices and triangles are in the order of the walk.
+/// Results of the code. Vertices and triangles are in the order of the walk.
 struct PageWalk {
   std::vector<PageTriangle> triangles;
   std::vector<uint16_t> patches;    ///< per triangle, an index into the page's patches

@@ -38,7 +38,7 @@ struct OpenedSession {
   bool attached = false;  ///< it was there already
 };
 
-/// What became of a batch of edits.
+/// The outcome of a batch of edits.
 struct ApplyOutcome {
   uint32_t applied = 0;
   uint32_t known = 0;  ///< their ids had been applied before
@@ -64,7 +64,7 @@ struct SessionState {
 BURNISH_RECORD(SessionState, cycles, energy, residual, distance, memory_bytes, backend, rims,
                rims_held)
 
-/// What a cell of the finest depth can be asked for. α and κ in user units.
+/// A value of a cell of the finest depth. α and κ in user units.
 enum class CellValue {
   kBeta,
   kKappa1,
@@ -77,7 +77,7 @@ enum class CellValue {
 
 inline constexpr int kExportCyclesMax = 10'000;
 
-/// What to export: converged to the bar of a live session unless told otherwise.
+/// An export to make: converged to the bar of a live session unless told otherwise.
 struct ExportWish {
   MeshFormat format = MeshFormat::kPly;
   bool exact = false;       ///< to the export bar

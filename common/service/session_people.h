@@ -11,7 +11,7 @@
 
 namespace burnish {
 
-/// Where somebody holds the brush, in file units.
+/// The place and size of somebody's brush, in file units.
 struct BrushRing {
   Vec3d centre = Vec3d::Zero();
   double radius = 0;

@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-/// What a person may do in a session; each role may do what those before it may.
+/// The rights of a person in a session; each role may do what those before it may.
 enum class SessionRole {
   kViewer = 1,  ///< look, export, fork
   kEditor = 2,  ///< edit
@@ -24,8 +24,8 @@ class SessionRoles {
   SessionRoles() = default;
   explicit SessionRoles(std::map<std::string, SessionRole> roles) : roles_(std::move(roles)) {}
 
-  /// Of a new session: its maker is the owner, everybody else an editor. A maker without a name
-  /// cannot be told from others: everybody is an owner then.
+  /// Returns those of a new session: its maker is the owner, everybody else an editor. A maker
+  /// without a name cannot be told from others: everybody is an owner then.
   static SessionRoles of_new_session(const std::string& maker);
 
   SessionRole of(const std::string& user) const;

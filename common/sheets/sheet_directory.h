@@ -49,7 +49,7 @@ struct SheetBlockHeader {
 };
 static_assert(sizeof(SheetBlockHeader) == kSheetBlockHeaderBytes);
 
-/// Where the parts of a block lie, as the head lists them.
+/// Places of the parts of a block, as the head lists them.
 struct SheetBlockPlace {
   uint64_t sheet_begin = 0;  ///< of the first of its sheets in the file, bytes
   uint64_t chart_begin = 0;  ///< of the first of its charts
@@ -67,7 +67,7 @@ struct SheetHead {
   uint64_t chart_bytes = 0;  ///< of all charts; the blocks follow them
   uint64_t block_bytes = 0;  ///< of all blocks
 
-  /// Where the sheets and the charts of a block end in the file. Needs: a block.
+  /// Return the ends of a block's sheets and charts in the file. Needs: a block.
   uint64_t sheet_end(size_t block) const;
   uint64_t chart_end(size_t block) const;
 };

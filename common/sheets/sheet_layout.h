@@ -24,7 +24,7 @@ struct TexelPlace {
   bool operator==(const TexelPlace&) const = default;
 };
 
-/// Where each chart of a page lies on a sheet, with its gutter.
+/// The place of each chart of a page on a sheet, with its gutter.
 struct SheetLayout {
   uint16_t width = 0;   ///< texels
   uint16_t height = 0;  ///< texels

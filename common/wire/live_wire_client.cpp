@@ -1,4 +1,4 @@
-// What the client says in a live session.
+// The client's messages in a live session.
 
 #include "common/base/limits.h"
 #include "common/edit/preview_change.h"

@@ -1,4 +1,4 @@
-// What the server says in a live session.
+// The server's messages in a live session.
 
 #include <algorithm>
 #include <iterator>

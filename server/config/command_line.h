@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// What `burnish-server journal copy FROM TO` is to do. Each is a data folder or the URI of a
+/// The task of `burnish-server journal copy FROM TO`. Each is a data folder or the URI of a
 /// database.
 struct JournalCopyWish {
   std::string from, to;

@@ -17,7 +17,8 @@ constexpr std::array<GaussPoint, 4> kGauss = {{{0.06943184420297371, 0.173927422
                                                {0.66999052179242813, 0.32607257743127308},
                                                {0.93056815579702629, 0.17392742256872692}}};
 
-// Where a line from `from` to `to` meets grid planes, with both ends: rising parts of its length.
+// Returns where a line from `from` to `to` meets grid planes, with both ends: rising parts of its
+// length.
 std::vector<double> cuts_at_planes(const Vec3d& from, const Vec3d& to) {
   std::vector<double> cuts = {0, 1};
   for (int axis = 0; axis < 3; ++axis) {

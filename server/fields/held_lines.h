@@ -28,7 +28,7 @@ class HeldLines {
   std::vector<LineMass> parts_;
 };
 
-/// Where the lines of each stretch of cells begin. Shapes: one per LineView::kStretch cells, and
+/// Returns the first line of each stretch of cells. Shapes: one per LineView::kStretch cells, and
 /// the end.
 std::vector<int32_t> first_lines(std::span<const LineMass> lines, size_t cells);
 

@@ -16,7 +16,7 @@ using Mat3d = Eigen::Matrix3d;
 // Keeps the inverse where a cell's pieces lie in one plane: along its normal no gradient is known.
 constexpr double kUnknownShare = 1e-3;  // of the area
 
-// Of the length of a cell's mean normal. Two sides of a wall have 0, of an edge of 30 degrees 0.26.
+// A cell's mean normal has a length: 0 for two sides of a wall, 0.26 for an edge of 30 degrees.
 constexpr double kMeanNormalMin = 0.25;
 
 /// A triangle's tangent projection, which is its ∇x, and the gradients that are wanted of it.

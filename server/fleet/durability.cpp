@@ -2,7 +2,7 @@
 
 namespace burnish {
 
-// Whoever may not see a standby's row still sees that it is there.
+// A user who may not see a standby's row still sees that it is there.
 static constexpr char kSettings[] =
     "SELECT current_setting('synchronous_standby_names'), current_setting('synchronous_commit'),"
     " (SELECT count(*) FROM pg_stat_replication), current_setting('fsync'),"

@@ -83,7 +83,7 @@ Status PgCatalogue::take_name(const ScanInfo& scan) {
   return check_name_is_free(scan, page.scans);
 }
 
-// Whoever is the second to enter a scan waits at its row, and finds the first one's.
+// The second to enter a scan waits at its row, and finds the first one's.
 Result<ScanInfo> PgCatalogue::enter(const ScanInfo& scan, const Files& put) {
   const std::lock_guard lock(mutex_);
   std::string info;

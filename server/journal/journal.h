@@ -16,7 +16,7 @@
 
 namespace burnish {
 
-/// What an edit takes in memory beside the bytes of its row.
+/// Memory of an edit beside the bytes of its row.
 inline constexpr uint64_t kHistoryBytesOfARow = 640;
 
 /// The facts of a session apart from its edits.

@@ -1,4 +1,4 @@
-// What MeshStore does for clients that draw pages.
+// The part of MeshStore for clients that draw pages.
 
 #include <spdlog/spdlog.h>
 

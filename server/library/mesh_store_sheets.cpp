@@ -1,4 +1,4 @@
-// What MeshStore does for clients that draw a scan's pictures.
+// The part of MeshStore for clients that draw a scan's pictures.
 
 #include <span>
 

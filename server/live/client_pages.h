@@ -26,7 +26,7 @@ struct ClientPages {
 PageFrameKind choose_kind(std::optional<PageFrameKind> present, uint64_t vertices,
                           uint64_t corners);
 
-/// What a client wants to show, and what is made of it. It remembers the newest wish alone, however
+/// A client's wish for pages, and what is made of it. It remembers the newest wish alone, however
 /// fast wishes come. Thread-safe; one thread at a time makes pages.
 class PageWishes {
  public:

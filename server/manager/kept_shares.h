@@ -9,7 +9,7 @@
 
 namespace burnish {
 
-/// What each user has of the kept sessions, in memory or not: those that they made, and the bytes
+/// Each user's share of the kept sessions, in memory or not: those that they made, and the bytes
 /// of their histories. Counts, and limits nothing. Thread-safe; a Part may outlive it.
 class KeptShares {
  public:

@@ -21,7 +21,7 @@ struct CellPiece {
   Passages passages;
 };
 
-/// Where pieces lie, and how many are sorted at once.
+/// Memory for pieces, and how many are sorted at once.
 struct PieceRoom {
   ScratchSpace space;
   uint64_t pieces_per_brick = kPiecesPerBrick;

@@ -12,7 +12,7 @@
 
 namespace burnish {
 
-/// What a preparation is asked for, and what it may use.
+/// The task of a preparation, and what it may use.
 struct PrepareOptions {
   int depth = 0;                        ///< 0: default_depth(), or above it if the budget refuses
   double curvature_radius = 0;          ///< averaging radius for κ as a part of L; 0 for none

@@ -24,7 +24,7 @@ struct S3Patience {
   uint64_t part_bytes = uint64_t{64} << 20;  ///< of an upload; at most 10,000 parts make a file
 };
 
-/// Where a request's body comes from.
+/// The source of a request's body.
 struct S3Body {
   uint64_t bytes = 0;
   std::string sha256;  ///< of all of them

@@ -77,7 +77,7 @@ class ColourChannel {
   bool is_metric_new_ = true, is_scale_new_ = true, starts_over_ = false;
   int cycles_ = 0;      // on the grid, since the last change
   int mesh_steps_ = 0;  // likewise
-  // What is wanted.
+  // The wanted filter.
   ColourFilter filter_;
   TextureFilter texture_;
   std::vector<float> gains_;  // per cell; empty: the gain is not painted

@@ -19,7 +19,7 @@
 
 namespace burnish {
 
-/// What keeps edges while a surface is denoised: filtered normals, the layer of moves towards them,
+/// Keeps edges while a surface is denoised: filtered normals, the layer of moves towards them,
 /// and the gradients that the solver should reach. Costs nothing before edges are first kept.
 class KeptEdges {
  public:

@@ -8,7 +8,8 @@
 namespace burnish {
 namespace {
 
-/// Where a cubic may turn: its ends are rising. Returns how many of `turns` are within 0 to limit.
+/// Finds where a cubic may turn: its ends are rising. Returns how many of `turns` are within 0 to
+/// limit.
 int find_turns(const Cubic& c, double limit, std::array<double, 3>& turns) {
   int count = 0;
   const auto add = [&](double t) {

@@ -7,7 +7,7 @@ struct ImDrawData;
 
 namespace burnish {
 
-/// What ImGui drew last, to tell whether it draws the same again.
+/// A copy of what ImGui drew last, to tell whether it draws the same again.
 class PanelsCopy {
  public:
   /// Takes what ImGui draws now. Returns whether it differs from the last.

@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// What a user does for about a second.
+/// The work of a user for about a second.
 enum class Activity {
   kDraw,   ///< looks
   kDrag,   ///< drags the slider

@@ -13,7 +13,7 @@
 
 namespace burnish {
 
-/// What `burnish filter` was told.
+/// The options of `burnish filter`.
 struct FilterOptions {
   std::vector<std::string> files;  ///< IN and OUT, or with a folder all IN
   std::string out_dir;             ///< empty: none

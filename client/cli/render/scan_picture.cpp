@@ -74,7 +74,7 @@ class ScanPainter {
     drawn_.warnings.push_back(one_line(text, kWarningBytesMax));
   }
 
-  // Where files cannot be found, reading the scan says why.
+  // Stays silent if the files cannot be found: reading the scan says why.
   void warn_of_missing(const Result<NamedFiles>& named) {
     if (!named.is_ok() || named->missing.empty()) return;
     warn(missing_text(scan_.string(), named->missing));

@@ -39,7 +39,7 @@ struct OpenedDocument {
   std::string lacks;  ///< what it lacks of a session of another depth, in words; empty: nothing
 };
 
-/// Where a document's pictures are drawn, and what they may cost.
+/// The limits of a document's pictures, and its surroundings.
 struct DocumentOptions {
   PageBudget budget;
   bool is_software = false;     ///< pictures are drawn without a graphics card

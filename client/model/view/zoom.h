@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// Where the wheel turns.
+/// The point around which the wheel zooms.
 struct ZoomPlace {
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
   std::optional<Vec3d> surface;  ///< what lies under the pixel, file units

@@ -9,7 +9,7 @@ namespace burnish {
 
 namespace {
 
-// What has no place to be counted in is a very large number.
+// A count without a limit is a very large number.
 constexpr int64_t kWholeMax = int64_t{1} << 53;
 
 int64_t whole_of(uint64_t value) {

@@ -1,4 +1,4 @@
-// What core.wasm exports (client/web/core).
+// The exports of core.wasm (client/web/core).
 
 export interface CoreExports {
   memory: { buffer: ArrayBuffer };

@@ -1,6 +1,6 @@
-// What calls have heard, on its way to the core: a message whenever the core allows one, and the end behind the last.
+// Messages of calls on their way to the core: one whenever the core allows it, and the end behind the last.
 
-/** What the core hears of its calls. Never called from within a function that the core calls. */
+/** The core's end of its calls. Never called from within a function that the core calls. */
 export interface CallEvents {
   message(call: number, bytes: Uint8Array): void;
   ended(call: number, end: CallEnd): void;
@@ -13,7 +13,7 @@ export interface CallEnd {
   details: Uint8Array;
 }
 
-/** Whoever carries the core's calls: sockets to a server, or the files of a publication. */
+/** Carries the core's calls: by sockets to a server, or from the files of a publication. */
 export interface Transport {
   setWho(who: Who): void;
   /** Begins a call. `node`: the server of a fleet that it is for; empty: any. */

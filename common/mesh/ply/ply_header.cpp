@@ -45,7 +45,7 @@ class HeaderParser {
   size_t offset() const { return bytes_.size() - scanner_.bytes_after_line(); }
   uint8_t last_byte() const { return offset() == 0 ? 0 : bytes_[offset() - 1]; }
 
-  /// Where lines end in CR, an LF behind the last one is the body's first byte.
+  /// If lines end in CR, an LF behind the last one is the body's first byte.
   Result<PlyHeader> finish(bool ends_in_cr) {
     if (!has_format_) return scanner_.error("the header has no 'format' line");
     header_.body_offset = offset();

@@ -22,7 +22,7 @@ namespace burnish {
 
 namespace {
 
-/// Where x, y, z or nx, ny, nz are among an element's properties.
+/// Indices of x, y, z or nx, ny, nz among an element's properties.
 using Properties = std::array<size_t, 3>;
 
 std::optional<Properties> find_properties(const PlyElement& element,

@@ -26,7 +26,7 @@ KdRule rule_of(const LevelToCut& level) {
   return rule;
 }
 
-// Where pages begin among the sorted centres.
+// Returns the places at which pages begin among the sorted centres.
 std::vector<uint64_t> page_starts(std::span<const uint8_t> is_start) {
   std::vector<uint64_t> starts;
   for (size_t i = 0; i < is_start.size(); ++i)

@@ -6,7 +6,7 @@
 
 namespace burnish {
 
-/// What the pages of one level are made from.
+/// The input of the pages of one level.
 struct LevelToDraw {
   const CutLevel& cut;
   std::span<const PageId> finer;  ///< per triangle the page that it replaces; empty at level 0

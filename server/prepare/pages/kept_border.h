@@ -7,9 +7,9 @@
 
 namespace burnish {
 
-/// What other pages rely on of a piece: its locked vertices, and the edges of its boundary between
-/// two of them. Simplification moves no locked vertex, but it may remove all triangles around one,
-/// for example the tip of a triangle whose other corners collapse.
+/// Parts of a piece that other pages rely on: its locked vertices, and the edges of its boundary
+/// between two of them. Simplification moves no locked vertex, but it may remove all triangles
+/// around one, for example the tip of a triangle whose other corners collapse.
 class KeptBorder {
  public:
   explicit KeptBorder(const PagePiece& piece);

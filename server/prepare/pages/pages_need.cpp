@@ -17,7 +17,7 @@ constexpr uint64_t kTrianglesPerPage = 1000;  // at least, over all levels
 constexpr uint64_t kSharedBytesPerVertex =
     40;  // sums of vertices of several pages; most of a soup's whose vertices stay apart
 
-// Of the file, all levels together.
+// In the file, all levels together.
 constexpr uint64_t kFileBytesPerTriangle = 6;
 constexpr uint64_t kFileBytesPerVertex = 5;
 constexpr uint64_t kFileBytesPerColour = 8;
@@ -27,7 +27,7 @@ uint64_t scan_bytes(const PagesInput& scan) {
          2 * scan.texels.of_triangle.size_bytes();
 }
 
-// Of vertices: place, joined vertex, normal, colour, page, mark.
+// Counts of each vertex: place, joined vertex, normal, colour, page, mark.
 uint64_t vertex_bytes(const PagesInput& scan) {
   const uint64_t each = sizeof(Vec3i) + sizeof(uint32_t) + sizeof(Vec3f) + sizeof(uint32_t) + 1;
   return scan.vertices.size() * (each + kSharedBytesPerVertex) + scan.colours.size_bytes();
@@ -39,7 +39,8 @@ uint64_t joining_bytes(const PagesInput& scan) {
          (sizeof(Vec3i) + sizeof(PlaneSides) + sizeof(uint32_t) + 2 * 2 * sizeof(uint64_t));
 }
 
-// Of triangles: level 0, its pages, and the larger of what cutting and what replacing takes.
+// Counts for triangles: level 0, its pages, and the larger of what cutting and what replacing
+// takes.
 uint64_t triangle_bytes(const PagesInput& scan) {
   const uint64_t cutting = sizeof(TriangleCentre) + 3;
   const uint64_t replacing = (3 * sizeof(Triangle) + sizeof(uint32_t)) / 2;

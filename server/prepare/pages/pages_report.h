@@ -6,7 +6,7 @@
 
 namespace burnish {
 
-/// What making pages took and made.
+/// Costs and results of making pages.
 struct PagesReport {
   struct Level {
     uint64_t triangles = 0;

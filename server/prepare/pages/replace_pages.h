@@ -9,14 +9,14 @@
 
 namespace burnish {
 
-/// What replaces one page.
+/// The replacement of one page.
 struct Replacement {
   uint64_t first = 0;  ///< in Replacements::triangles
   uint64_t count = 0;  ///< at least one
   float error = 0;     ///< file units: how far the surface has moved, about
 };
 
-/// What replaces the pages of a level, in their order.
+/// The replacements of a level's pages, in their order.
 struct Replacements {
   explicit Replacements(const ScratchSpace& space) : triangles(space) {}
 

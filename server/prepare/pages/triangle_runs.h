@@ -8,7 +8,7 @@
 
 namespace burnish {
 
-/// Where a triangle lies: the sum of its corners, which is three times its centroid, in steps.
+/// A triangle's place: the sum of its corners, which is three times its centroid, in steps.
 struct TriangleCentre {
   std::array<int32_t, 3> at;
   uint32_t triangle;

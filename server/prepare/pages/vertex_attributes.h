@@ -10,13 +10,13 @@
 
 namespace burnish {
 
-/// What a level's vertices carry besides their place, per vertex of the scan.
+/// Values of a level's vertices besides their place, per vertex of the scan.
 struct VertexAttributes {
   ScratchArray<Vec3f> normals;  ///< unit length
   ScratchArray<Rgba8> colours;  ///< empty, or one per vertex
 };
 
-/// What the triangles of a level say of its vertices, before it is divided by the weight.
+/// A sum over the triangles at a vertex of a level, before it is divided by the weight.
 struct AttributeSum {
   Vec3d normal = Vec3d::Zero();
   std::array<double, 4> colour = {};

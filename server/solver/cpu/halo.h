@@ -6,7 +6,7 @@
 
 namespace burnish::cpu {
 
-/// What a shard of a scan (solver/multi) asks of the others. All shards make the same calls in the
+/// Asks the other shards of a scan (solver/multi). All shards make the same calls in the
 /// same order. A depth's vectors have own corners first, then ghosts.
 class Halo {
  public:

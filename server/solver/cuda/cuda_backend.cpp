@@ -395,7 +395,7 @@ class CudaBackend final : public Backend {
       smoother_above(above).update(inverses, anisotropy_.data(), touched);
   }
 
-  // Where a depth does not keep its numbers, the smoother works in their place.
+  // The smoother works in the place of a depth's numbers if the depth does not keep them.
   float* room_for_inverses(size_t above, const CellSquares<double>& cells) const {
     if (!keeps_numbers(above)) return reinterpret_cast<float*>(cells.numbers);
     float* room = kept_inverses_.data();

@@ -52,7 +52,7 @@ struct CudaShards {
   std::vector<std::unique_ptr<Backend>> backends;
 };
 
-/// What shards have in common.
+/// Parts that all shards share.
 struct CudaShardGroup {
   int border;  ///< depth
   bool has_patches;

@@ -22,7 +22,7 @@ struct ShardLists {
   const BorderLists* border;
 };
 
-/// What all shards of a scan have in common.
+/// Parts that all shards of a scan share.
 struct ShardGroup {
   int border;
   bool has_patches;
@@ -30,7 +30,7 @@ struct ShardGroup {
   std::function<void(const std::function<void()>&)> arrive_and_wait;
 };
 
-/// What a shard on a device asks of the others: see cpu/halo.h. An owner puts its numbers into
+/// Asks the other shards, on a device: see cpu/halo.h. An owner puts its numbers into
 /// memory that the others' devices read; each of them waits for that on its own stream. Two such
 /// places take turns, so that nobody overwrites what another still reads.
 ///

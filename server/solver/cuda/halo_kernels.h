@@ -12,13 +12,13 @@ struct HaloPlace {
   int32_t shard, index;
 };
 
-/// Where the shards' numbers stand.
+/// Places of the shards' numbers.
 template <typename T>
 struct Stages {
   const T* of[OfShards::kMax];
 };
 
-// What a shard puts where others read it. T: float, float4 or double.
+// Puts a shard's numbers where others read them. T: float, float4 or double.
 
 /// Does stage[i] = from[which[i]].
 template <typename T>
@@ -27,7 +27,7 @@ void pack(Stream& stream, int64_t count, const int32_t* which, const T* from, T*
 template <typename T>
 void copy(Stream& stream, int64_t count, const T* from, T* stage);
 
-// What a shard reads of others, after all earlier work of the stream.
+// Reads numbers of others, after all earlier work of the stream.
 
 /// Does to[i] = the number of ghosts[i].
 template <typename T>

@@ -67,7 +67,7 @@ class Backend {
   /// it before the first metric. Shapes: one per corner. Units: any; results have them too.
   virtual void set_signal(std::span<const Vec3f> signal) = 0;
   /// Makes the matrices of all depths (section 5.2), the smoothers and the coarsest factorisation.
-  /// Where few cells have other α than before, a backend may make these cells' parts alone, with
+  /// If few cells have other α than before, a backend may make these cells' parts alone, with
   /// the same bits. Afterwards r is wrong until recompute_residual(). Returns whether all is new.
   virtual bool set_metric(const MetricView& metric) = 0;
   /// Forgets u and what estimates have learnt. After the next metric and constraint, results have

@@ -9,8 +9,8 @@
 
 namespace burnish {
 
-/// What other α of some cells change at one depth. A depth's parts are what has numbers: its cells,
-/// then its ties, or at the finest depth its sheets. All lists rise.
+/// Parts that other α of some cells change at one depth. A depth's parts are what has numbers: its
+/// cells, then its ties, or at the finest depth its sheets. All lists rise.
 struct ChangedDepth {
   std::vector<int32_t> parts;  ///< whose numbers change
   std::vector<int32_t> rows;   ///< corners whose row of S changes

@@ -10,7 +10,7 @@
 
 namespace burnish {
 
-/// What a shard has of one depth, as indices in the whole depth.
+/// A shard's parts of one depth, as indices in the whole depth.
 struct DepthSets {
   std::vector<int32_t> corners;  ///< own corners, then ghosts, then the fringe; each rising
   int32_t own = 0, ghosts = 0;   ///< how many of these
@@ -20,7 +20,7 @@ struct DepthSets {
                                  ///< border depth
 };
 
-/// What a shard has, from the border depth on.
+/// A shard's parts, from the border depth on.
 struct ShardSets {
   int border = 0;
   std::vector<DepthSets> depths;

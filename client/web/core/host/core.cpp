@@ -31,7 +31,7 @@ namespace {
 
 using std::chrono::steady_clock;
 
-/// What the worker hands over, until the end of a function.
+/// Bytes for the worker, until the end of a function.
 class Handed {
  public:
   Handed(uint8_t* memory, size_t bytes) : memory_(memory), bytes_(bytes) {}

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-// What the page's worker calls (client/web/engine). Each call is a turn of its own: none comes
+// Functions for the page's worker (client/web/engine). Each call is a turn of its own: none comes
 // while another one runs.
 extern "C" {
 

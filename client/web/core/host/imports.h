@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-// What the page's worker does for the core (client/web/engine). Texts and bytes are places and
+// Functions of the page's worker (client/web/engine). Texts and bytes are places and
 // lengths in this memory, texts are UTF-8. Only task_suspend() waits.
 extern "C" {
 

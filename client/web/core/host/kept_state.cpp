@@ -1,4 +1,4 @@
-// What a window keeps in files, in the page's store: the preferences and how sessions were seen.
+// Preferences and views of sessions: a window keeps them in files, the page in its store.
 
 #include <algorithm>
 

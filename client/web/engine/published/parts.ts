@@ -2,7 +2,7 @@
 
 import type { PublishedScan } from "./scan";
 
-/** What the tiles of a page are of, in their order. */
+/** The parts of a page that tiles are of, in their order. */
 const kTiles = ["surface", "colours", "gains"] as const;
 export type Tile = (typeof kTiles)[number];
 const kPartsPerPage = 1 + kTiles.length;
@@ -185,7 +185,7 @@ function checkSize(file: string, bytes: number, wanted: number): void {
   throw new Useless(`${file} has ${bytes} bytes, not ${wanted}: it is cut off, or of another publication. ${kCopyAgain}`);
 }
 
-/** Whoever waits for it hears of a failure; nobody has to wait. */
+/** A caller that waits hears of a failure; nobody has to wait. */
 function quiet<Value>(promise: Promise<Value>): Promise<Value> {
   promise.catch(() => {});
   return promise;

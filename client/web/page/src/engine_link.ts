@@ -13,7 +13,7 @@ export interface EnginePort {
   terminate(): void;
 }
 
-/** What the page shows. A new object for each change. */
+/** The state that the page shows. A new object for each change. */
 export interface PageState {
   snapshot: Snapshot | null;
   /** Refused commands, as messages of the page's own. */

@@ -1,4 +1,4 @@
-// What lies over the picture: state, figures, the scale of colours, and a lost connection.
+// The texts over the picture: state, figures, the scale of colours, and a lost connection.
 
 import { Figures } from "./controls";
 import type { ColourScale, Document } from "./snapshot";

@@ -5,7 +5,7 @@ import type { EngineLink } from "./engine_link";
 import { keepOwnKey, ownKeys } from "./own_keys";
 import type { Document } from "./snapshot";
 
-/** What keys reach beyond commands. */
+/** The actions of keys beyond commands. */
 export interface PageActions {
   open(): void;
   exportMesh(): void;

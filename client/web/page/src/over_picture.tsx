@@ -60,7 +60,7 @@ function RulerLine({ document }: PanelProps) {
 function SplitLine({ at }: { at: number }) {
   const link = useLink();
   const line = useRef<HTMLDivElement>(null);
-  // Where the line will be: a key may come before the snapshot that has the last move.
+  // The line's next place: a key may come before the snapshot that has the last move.
   const sent = useRef<number | null>(null);
   useEffect(() => {
     if (sent.current !== null && Math.abs(sent.current - at) < kSame) sent.current = null;

@@ -50,7 +50,7 @@ export interface StartMessage {
   pictures: Pictures;
   /** The files that are shown where there is no server; null: the page's server. */
   publication: PublicationStart | null;
-  /** What `keep` messages of earlier engines said. */
+  /** The contents of `keep` messages of earlier engines. */
   kept: Record<string, string>;
 }
 

@@ -226,7 +226,7 @@ export type Widget =
   | (UsableWidget & { kind: "check"; on: boolean })
   | (UsableWidget & { kind: "choice"; labelled?: boolean; value: string; choices: [string, string][] });
 
-/** What the colours of the picture mean. */
+/** The meaning of the picture's colours. */
 export interface ColourScale {
   title: string;
   low: string;

@@ -1,4 +1,4 @@
-// What the engine needs of a browser.
+// The needs of the engine from a browser.
 
 export interface MissingPart {
   name: string;

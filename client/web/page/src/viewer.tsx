@@ -49,7 +49,7 @@ export function Viewer({ scan, link }: { scan: PublishedScan; link: EngineLink }
   );
 }
 
-/** What the picture shows, over it. */
+/** The texts over the picture that say what it shows. */
 function Facts({ scan, document }: { scan: PublishedScan; document: Document | null }) {
   const status = document?.view.status ?? "loading…";
   return (

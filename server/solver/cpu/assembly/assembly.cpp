@@ -114,7 +114,7 @@ void keep_numbers(const CombinedCells& cells, CpuDepth& depth) {
   depth.kept_numbers.assign(cells.numbers(), cells.numbers() + depth.topology.number_count());
 }
 
-/// What a shard exchanges at the border depth: the first shard has the matrices from there on.
+/// A shard's exchange at the border depth: the first shard has the matrices from there on.
 class Border {
  public:
   explicit Border(Halo* halo) : halo_(halo) {}

@@ -31,7 +31,7 @@ class TouchedLists {
 
   const BlockReach* reach_ = nullptr;
   std::vector<TouchedBlocks> found_;
-  // Where each list starts, and the end of the last; then the lists.
+  // The start of each list, and the end of the last; then the lists.
   PinnedArray<int32_t> host_;
   DeviceArray<int32_t> device_;
 };

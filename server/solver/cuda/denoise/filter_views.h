@@ -37,7 +37,7 @@ struct Places {
   double unit;
 };
 
-/// What LayerField has; and the layer, and which triangles it turns.
+/// The arrays of LayerField; and the layer, and which triangles it turns.
 struct LayerArrays {
   float* offsets;
   float4* planes;
