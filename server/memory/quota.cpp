@@ -71,16 +71,6 @@ Status Quota::Share::resize(uint64_t amount) {
   return Status::ok();
 }
 
-void Quota::Share::absorb(Share&& other) {
-  if (!state_) {
-    *this = std::move(other);
-    return;
-  }
-  BURNISH_CHECK(!other.state_ || (other.state_ == state_ && other.holder_ == holder_),
-                "shares of two holders are not one");
-  amount_ += std::exchange(other.amount_, 0);
-}
-
 Quota::Quota(std::string what, std::string key, uint64_t max)
     : state_(new State{std::move(what), std::move(key), max, {}, {}}) {}
 

@@ -34,9 +34,6 @@ class Quota {
     /// unchanged.
     Status resize(uint64_t amount);
 
-    /// Adds another share of the same holder to this one.
-    void absorb(Share&& other);
-
    private:
     friend class Quota;
     Share(std::shared_ptr<State> state, std::string holder, uint64_t amount)

@@ -7,6 +7,7 @@
 #include "common/generate/noise.h"
 #include "tests/client/pages/page_flight.h"
 #include "tests/client/pages/ready_pages.h"
+#include "tests/common/pages/legal_cut.h"
 
 namespace burnish {
 namespace {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/client/pages/ready_pages.h"
+#include "tests/common/pages/legal_cut.h"
 
 namespace burnish {
 namespace {

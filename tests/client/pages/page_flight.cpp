@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "client/pages/drawn_ranges.h"
-#include "common/pages/cut.h"
+#include "tests/common/pages/legal_cut.h"
 
 namespace burnish {
 

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/common/pages/legal_cut.h"
+
 namespace burnish {
 namespace {
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "tests/common/pages/legal_cut.h"
 #include "tests/common/temporary_folder.h"
 #include "tests/server/prepare/pages/crack_finder.h"
 #include "tests/server/prepare/pages/pages_test_meshes.h"

@@ -5,6 +5,8 @@
 #include <numeric>
 #include <random>
 
+#include "tests/common/pages/legal_cut.h"
+
 namespace burnish {
 
 namespace {

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "common/pages/cut.h"
+#include "common/pages/directory.h"
 
 namespace burnish {
 
