@@ -53,7 +53,7 @@ class Statement {
 };
 
 /// A connection that waits until its commits are on disk: WAL mode, synchronous=FULL. Its
-/// statements may call row_checksum(), see sqlite_checksum.h.
+/// statements may call row_checksum(), see sqlite.cpp.
 class Database {
  public:
   /// Fails: data_loss (damaged), resource_exhausted (disk full), as SQLite says.

@@ -1,8 +1,13 @@
 #include "server/live/subscriber.h"
 
 #include <algorithm>
+#include <chrono>
+#include <optional>
 
-#include "server/live/refused_edits.h"
+#include <spdlog/spdlog.h>
+
+#include "server/metrics/metrics.h"
+#include "server/process/minute_limiter.h"
 
 namespace burnish {
 
@@ -15,6 +20,26 @@ static double ms_since(steady_clock::time_point then) {
 static constexpr size_t kAnswersMax = 64;     // answers that the client has not taken
 static constexpr size_t kUnansweredMax = 64;  // messages of edits
 static constexpr size_t kUnansweredBytesMax = size_t{16} << 20;
+
+static std::optional<Refusal> reason_of_refused_edits(StatusCode code) {
+  if (code == StatusCode::kResourceExhausted) return Refusal::kLimit;
+  if (code == StatusCode::kPermissionDenied) return Refusal::kPermission;
+  return std::nullopt;
+}
+
+// Counts a refusal of a client's edits among the refusals if a limit or a role is why, and logs one
+// of each kind a minute. An ordinary call's end does the same; a live stream goes on.
+static void report_refused_edits(const EditsRefused& refused) {
+  static MinuteLimiter limiter;
+  const auto reason = reason_of_refused_edits(refused.status.code());
+  if (!reason) return;
+  metrics().count_refusal(*reason);
+  const bool is_limit = *reason == Refusal::kLimit;
+  const auto turn = limiter.take(is_limit ? "limit" : "role", steady_clock::now());
+  if (turn.is_admitted)
+    spdlog::warn("refused edits of a live client ({} more since the last such line): {}",
+                 turn.left_out, refused.status.to_string());
+}
 
 Subscriber::Subscriber(uint64_t own_connection, Caller own_caller,
                        std::unique_ptr<PageWishes> wishes, Executor& encoders,

@@ -1,6 +1,7 @@
 #include "server/prepare/prepare.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <new>
 #include <sstream>
@@ -9,6 +10,7 @@
 #include "common/base/heard_loop.h"
 #include "common/base/limits.h"
 #include "common/base/parallel.h"
+#include "common/base/process_memory.h"
 #include "common/base/text.h"
 #include "common/evaluation/heard_evaluation.h"
 #include "common/grid/depth_plan.h"
@@ -18,13 +20,33 @@
 #include "server/prepare/cell_sheets.h"
 #include "server/prepare/histogram.h"
 #include "server/prepare/integrate_cells.h"
-#include "server/prepare/phase_clock.h"
 #include "server/prepare/surface.h"
 #include "server/prepare/thin_walls.h"
 
 namespace burnish {
 
 namespace {
+
+/// Times the phases of a preparation.
+class PhaseClock {
+ public:
+  /// `report` may be null.
+  explicit PhaseClock(PrepareReport* report) : report_(report) { reset_peak_resident_bytes(); }
+
+  /// Ends a phase; the next one begins.
+  void end(const std::string& name) {
+    const auto now = std::chrono::steady_clock::now();
+    if (report_ != nullptr)
+      report_->phases.push_back(
+          {name, std::chrono::duration<double>(now - start_).count(), peak_resident_bytes()});
+    start_ = now;
+    reset_peak_resident_bytes();
+  }
+
+ private:
+  PrepareReport* report_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
 
 /// The arrays behind the spans of a freshly prepared mesh.
 struct PreparedArrays {
