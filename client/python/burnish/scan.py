@@ -11,6 +11,7 @@ import numpy.typing as npt
 from burnish.v1 import common_pb2, library_pb2
 
 from .edits import EdgeFilter, Equaliser, GradientScale, TransferCurve
+from .errors import NotFound
 from .files import FORMAT_NAMES
 from .presets import preset_changes
 
@@ -201,7 +202,6 @@ class Scan:
         calls.ask_once(calls.library.DeleteScan, library_pb2.DeleteScanRequest(scan=self.id))
 
     def _not_prepared(self, depth: int) -> Exception:
-        from .errors import NotFound
         return NotFound(f"scan {self.name} is not prepared at depth {depth}, but at {self.depths}")
 
 
