@@ -36,7 +36,7 @@ struct PageVertices {
 PageGrid choose_page_grid(const MeshStatistics& statistics);
 
 /// The vertices of a scan in steps, and which of them lie on a plane and were put below it: a bit
-/// for each axis. Vertices of one place in the file may lie on different sides.
+/// for each axis.
 struct GridPlaces {
   ScratchArray<Vec3i> positions;
   ScratchArray<uint8_t> below;

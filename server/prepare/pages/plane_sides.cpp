@@ -1,5 +1,6 @@
 #include "server/prepare/pages/plane_sides.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 
@@ -46,6 +47,31 @@ uint16_t sides_of(const Vec3d& place, uint16_t planes, const Vec3d& other) {
   return bits;
 }
 
+/// Gives vertices of one place the sides of all their triangles: each side of a seam has a vertex
+/// of its own there, and both must come to the same step.
+void join_sides(std::span<const Vec3d> vertices, std::span<uint16_t> bits,
+                const ScratchSpace& space, const LoopPart& part) {
+  ScratchArray<uint32_t> on_planes(space, vertices.size());
+  size_t count = 0;
+  for_each_heard(part, bits.size(), [&](size_t v) {
+    if ((bits[v] & 7) != 0 && vertices[v].allFinite())
+      on_planes[count++] = static_cast<uint32_t>(v);
+  });
+  const auto is_lower = [&](uint32_t v, uint32_t w) {
+    const Vec3d &a = vertices[v], &b = vertices[w];
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  };
+  sort_heard(part, on_planes.begin(), on_planes.begin() + count, is_lower);
+  size_t begin = 0;
+  uint16_t joined = 0;
+  for_each_heard(part, count, [&](size_t i) {
+    joined |= bits[on_planes[i]];
+    if (i + 1 < count && !is_lower(on_planes[i], on_planes[i + 1])) return;
+    for (; begin <= i; ++begin) bits[on_planes[begin]] = joined;
+    joined = 0;
+  });
+}
+
 }  // namespace
 
 ScratchArray<PlaneSides> find_plane_sides(const PagesInput& scan, const PageGrid& grid,
@@ -67,6 +93,7 @@ ScratchArray<PlaneSides> find_plane_sides(const PagesInput& scan, const PageGrid
                                           std::memory_order_relaxed);
     }
   });
+  join_sides(scan.vertices, {bits.data(), bits.size()}, space, part);
   ScratchArray<PlaneSides> sides(space, bits.size());
   for_each_heard(part, bits.size(), [&](size_t v) {
     const uint16_t below = bits[v] >> kBelow & ~(bits[v] >> kAbove) & 7;

@@ -22,9 +22,9 @@ struct FoundTriangle {
 };
 
 /// Finds the triangles of a scan that the pages of level 0 show. Pages keep places and orientation
-/// of a triangle, and neither its number nor its first corner. They join vertices of one place in
-/// the file, of which each may lie on another side of a plane of the grid. So vertices are compared
-/// as if all lay above. Memory: 28 bytes a triangle and 40 a vertex while it is made, 16 and 36
+/// of a triangle, and neither its number nor its first corner. Pages of earlier releases put
+/// vertices of one place on different sides of a plane of the grid. So vertices are compared as if
+/// all lay above. Memory: 28 bytes a triangle and 40 a vertex while it is made, 16 and 36
 /// later.
 class TriangleFinder {
  public:

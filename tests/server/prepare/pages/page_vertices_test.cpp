@@ -46,6 +46,18 @@ TEST(PageVertices, VerticesOnAPlaneGoToTheSideOfTheirTriangles) {
   EXPECT_EQ(placed.positions[2].z(), middle - 1);  // its triangle falls
 }
 
+TEST(PageVertices, VerticesOfOnePlaceOnAPlaneAreJoinedWhereverTheirTrianglesLie) {
+  TriangleMesh mesh = triangles_at_the_middle_plane(0.2);
+  mesh.triangles = {{0, 1, 4}, {7, 6, 5}};  // a seam: one side rises, the other falls
+  mesh.vertices.push_back(mesh.vertices[0]);
+  mesh.vertices.push_back(mesh.vertices[1]);
+  const PageVertices placed = place(mesh);
+  for (const uint32_t v : {0, 1}) {
+    EXPECT_EQ(placed.positions[v].z(), placed.grid.steps() / 2);
+    EXPECT_EQ(placed.joined[6 + v], v);
+  }
+}
+
 TEST(PageVertices, VerticesThatTheGridSnapsToAPlaneCountAsOnIt) {
   TriangleMesh mesh = triangles_at_the_middle_plane(0.2);
   mesh.vertices[0].z() = -1e-10;
