@@ -1,5 +1,6 @@
 #include "client/scene/raw_pages.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "client/scene/mesh_normals.h"
@@ -22,6 +23,25 @@ struct VertexAttributes {
   const std::vector<Rgba8>& colours;
 };
 
+/// The texels that a triangle shows.
+struct ShownTexels {
+  double texels = 0;
+  double area = 0;  ///< file units²
+};
+
+/// The texels that the triangles of a page show.
+struct TexelSums {
+  double sum = 0;
+  double area = 0;     ///< file units²
+  double densest = 0;  ///< of a triangle, texels per file unit²
+
+  TexelSums with(const ShownTexels& shown) const {
+    const double density = shown.area > 0 ? shown.texels / shown.area : 0;
+    return {sum + shown.texels, area + shown.area, std::max(densest, density)};
+  }
+  double if_dense() const { return area * densest; }
+};
+
 /// Fills one page after the other.
 class PageCutter {
  public:
@@ -35,11 +55,15 @@ class PageCutter {
     put(triangle);
   }
 
-  /// Begins a page also where the last one has `texels_max` texels.
-  void add(const Triangle& triangle, double texels, double texels_max) {
-    if (!has_room(triangle) || texels_ + texels > texels_max) begin_page();
+  /// Begins a page also where the last one has `texels_max` texels, or takes twice as many to be
+  /// as dense everywhere as where it is densest.
+  void add(const Triangle& triangle, const ShownTexels& shown, double texels_max) {
+    constexpr double kRoom = 2;
+    const TexelSums with = texels_.with(shown);
+    if (!has_room(triangle) || with.sum > texels_max || with.if_dense() > kRoom * texels_max)
+      begin_page();
     put(triangle);
-    texels_ += texels;
+    texels_ = texels_.with(shown);
   }
 
   std::vector<PageMesh> take() { return std::move(pages_); }
@@ -61,7 +85,7 @@ class PageCutter {
   }
 
   void begin_page() {
-    texels_ = 0;
+    texels_ = {};
     PageMesh& page = pages_.emplace_back();
     page.positions.reserve(kPageVerticesMax);
     page.normals.reserve(kPageVerticesMax);
@@ -85,7 +109,7 @@ class PageCutter {
   std::vector<PageMesh> pages_;
   std::vector<uint32_t> page_of_;   // per vertex, the last page that has it
   std::vector<uint16_t> place_of_;  // per vertex, its number in that page
-  double texels_ = 0;               // of the newest page
+  TexelSums texels_;                // of the newest page
 };
 
 }  // namespace
@@ -188,7 +212,11 @@ RawPages make_raw_pages(const TriangleMesh& mesh, std::span<const float> texels,
                         double texels_max) {
   BURNISH_CHECK(texels.size() == mesh.triangles.size(), "a number of texels per triangle");
   return RawMaker(mesh).cut(mesh, [&](PageCutter& cutter, uint32_t triangle) {
-    cutter.add(mesh.triangles[triangle], texels[triangle], texels_max);
+    const auto& [a, b, c] = mesh.triangles[triangle];
+    const Vec3d along = mesh.vertices[b] - mesh.vertices[a];
+    const Vec3d across = mesh.vertices[c] - mesh.vertices[a];
+    const double area = along.cross(across).norm() / 2;
+    cutter.add(mesh.triangles[triangle], {texels[triangle], area}, texels_max);
   });
 }
 

@@ -36,7 +36,8 @@ RawPages make_raw_pages(const TriangleMesh& mesh,
                         uint64_t triangles_max = std::numeric_limits<uint64_t>::max());
 
 /// The same for a mesh whose triangles show texels: so many for each triangle. The triangles of a
-/// page have `texels_max` in all, but for one alone that has more. Needs: one number per triangle.
+/// page have `texels_max` in all, but for one alone that has more. A page with a denser part ends
+/// where a sheet that is as dense everywhere has no room. Needs: one number per triangle.
 RawPages make_raw_pages(const TriangleMesh& mesh, std::span<const float> texels, double texels_max);
 
 /// Puts page i into slot i. Returns what draw() needs to draw all of them.

@@ -7,17 +7,13 @@
 
 namespace burnish {
 
-double native_density(double used_texels, double area) {
-  return std::sqrt(used_texels / area);
-}
-
 double edge_density(double texels_per_edge, size_t triangles, double area) {
   const double area_of_unit_edge = std::sqrt(3.0) / 4;
   return texels_per_edge * std::sqrt(area_of_unit_edge * static_cast<double>(triangles) / area);
 }
 
 double coarse_density(std::span<const double> finer, size_t triangles, double area) {
-  return std::min(std::ranges::min(finer), edge_density(kTexelsPerEdge, triangles, area));
+  return std::min(std::ranges::max(finer), edge_density(kTexelsPerEdge, triangles, area));
 }
 
 size_t sheet_count(double density, size_t triangles, double area) {

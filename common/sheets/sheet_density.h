@@ -13,16 +13,11 @@ namespace burnish {
 /// texel for each pixel, and some to spare.
 inline constexpr double kTexelsPerEdge = 8;
 
-/// Returns the density of a page of level 0: what the scan's pictures have there.
-/// `used_texels`: of the pictures, inside the page's triangles; `area`: of these, file units².
-/// Returns texels per file unit. Needs: both are positive.
-double native_density(double used_texels, double area);
-
 /// Returns the density at which a mean edge has as many texels. A triangle counts as equilateral.
 double edge_density(double texels_per_edge, size_t triangles, double area);
 
-/// Returns the density of a page above level 0: kTexelsPerEdge, but not more than its finer pages
-/// have. Needs: at least one finer page.
+/// Returns the density of a page above level 0: kTexelsPerEdge, but not more than the densest of
+/// its finer pages has. Needs: at least one finer page.
 double coarse_density(std::span<const double> finer, size_t triangles, double area);
 
 /// Returns how many sheets a page gets, each of half the density of the one before: while that has

@@ -32,10 +32,12 @@ struct LevelToCut {
 };
 
 /// Cuts a level into pages of at most kPageVerticesMax vertices and kPageTrianglesMax triangles,
-/// and of as many texels as `texels` says. Triangles are first dealt into runs of a Morton curve,
-/// then each run is halved again and again across the longest side of its box, less that of a mean
-/// triangle where texels matter. Pages come in this order; the triangles of a page rise.
-/// Deterministic: the same groups for any number of threads. Throws: WorkCancelled.
+/// and of as many texels as `texels` says. Where texels are denser in some parts, pages are as
+/// small as their sheets need to show those, unless that makes very many pages. Triangles are first
+/// dealt into runs of a Morton curve, then each run is halved again and again across the longest
+/// side of its box, less that of a mean triangle where texels matter. Pages come in this order; the
+/// triangles of a page rise. Deterministic: the same groups for any number of threads. Throws:
+/// WorkCancelled.
 PageGroups cut_pages(const LevelToCut& level, const ScratchSpace& space,
                      const LoopPart& part = kUnheardLoop);
 

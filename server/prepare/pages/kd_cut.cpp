@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "common/base/limits.h"
 #include "server/prepare/pages/local_vertices.h"
@@ -36,6 +38,15 @@ Vec3d mean_sides(std::span<const TriangleCentre> piece, const KdRule& rule) {
   return 3 * sum / static_cast<double>(piece.size());
 }
 
+/// Returns the area of a triangle, steps².
+double triangle_area(const TriangleCentre& centre, const KdRule& rule) {
+  const auto& [a, b, c] = rule.triangles[centre.triangle];
+  const Vec3d origin = rule.positions[a].cast<double>();
+  const Vec3d along = rule.positions[b].cast<double>() - origin;
+  const Vec3d across = rule.positions[c].cast<double>() - origin;
+  return std::max(along.cross(across).norm() / 2, kTriangleAreaMin);
+}
+
 /// Returns the axis of the longest side. Where texels matter, pieces are small, and are not cut
 /// across their triangles: needles that alternate, as in strips, would lose the neighbours with
 /// which they share their sides.
@@ -63,7 +74,24 @@ bool KdCut::fits_sheet(std::span<const TriangleCentre> piece) const {
   if (!rule_.texels.matter() || piece.size() == 1) return true;
   double texels = 0;
   for (const TriangleCentre& centre : piece) texels += rule_.texels.of_triangle[centre.triangle];
-  return texels <= rule_.texels.of_page_max;
+  return texels <= rule_.texels.of_page_max &&
+         (!rule_.keeps_dense_parts || fits_dense_parts(piece));
+}
+
+/// A page has one density. Its sheet has room for twice as many texels as pages show of pictures
+/// that are equally dense everywhere.
+bool KdCut::fits_dense_parts(std::span<const TriangleCentre> piece) const {
+  constexpr double kRoom = 2;
+  double area = 0;
+  std::vector<TexelsOnArea> shown;
+  for (const TriangleCentre& centre : piece) {
+    const double of_triangle = triangle_area(centre, rule_);
+    area += of_triangle;
+    const double texels = rule_.texels.of_triangle[centre.triangle];
+    if (texels > 0) shown.push_back({texels, of_triangle});
+  }
+  const double density = needed_texel_density(std::move(shown));
+  return area * density * density <= kRoom * rule_.texels.of_page_max;
 }
 
 // Gives the first part a whole number of pages, so that pages come out full. Two pages have room to

@@ -14,6 +14,7 @@ struct KdRule {
   size_t triangles_wanted = 0;  ///< of a page
   double ratio = 0.5;           ///< how much of a piece goes to its first part
   PageTexels texels = {};
+  bool keeps_dense_parts = true;          ///< sharp, if texels matter
   std::span<const Vec3i> positions = {};  ///< per vertex; only where texels matter
 };
 
@@ -33,6 +34,7 @@ class KdCut {
  private:
   bool fits_page(std::span<const TriangleCentre> piece) const;
   bool fits_sheet(std::span<const TriangleCentre> piece) const;
+  bool fits_dense_parts(std::span<const TriangleCentre> piece) const;
   size_t size_of_first_part(size_t size) const;
 
   KdRule rule_;

@@ -82,8 +82,14 @@ void PagePaint::add(const std::array<Vec3d, 3>& places, const FoundTriangle& fou
 
 void PagePaint::count(const Painted& painted) {
   if (painted.picture == kNoTexture) return;
-  used_texels_ += area_of(texels_of(painted));
-  painted_area_ += area_of(painted.places);
+  const double texels = area_of(texels_of(painted));
+  if (texels > 0) shown_.push_back({texels, std::max(area_of(painted.places), kTriangleAreaMin)});
+}
+
+double PagePaint::used_texels() const {
+  double sum = 0;
+  for (const TexelsOnArea& shown : shown_) sum += shown.texels;
+  return sum;
 }
 
 std::array<Vec2d, 3> PagePaint::texels_of(const Painted& painted) const {

@@ -12,6 +12,7 @@
 #include "common/pages/page.h"
 #include "common/sheets/bake_sheet.h"
 #include "common/sheets/chart.h"
+#include "server/prepare/pages/page_texels.h"
 #include "server/prepare/sheets/picture_sampler.h"
 #include "server/prepare/sheets/picture_tiles.h"
 #include "server/prepare/sheets/tiled_level.h"
@@ -29,9 +30,10 @@ class PagePaint {
   PagePaint(const Page& page, const TexturedSurface& surface, const PictureTiles& tiles,
             std::span<const uint32_t> triangles);
 
-  /// Texels of pictures inside the page's triangles, and the area of these triangles in steps².
-  double used_texels() const { return used_texels_; }
-  double painted_area() const { return painted_area_; }
+  /// Texels of pictures inside the page's triangles.
+  double used_texels() const;
+  /// What a sheet needs to show them, texels per step; 0 without a picture.
+  double needed_density() const { return needed_texel_density(shown_); }
   /// Triangles that the scan does not have at these places: nothing is drawn for them.
   size_t lost_triangles() const { return lost_triangles_; }
 
@@ -71,8 +73,7 @@ class PagePaint {
   const PictureTiles& tiles_;
   const LevelledSeams* seams_;
   std::vector<Painted> triangles_;
-  double used_texels_ = 0;
-  double painted_area_ = 0;
+  std::vector<TexelsOnArea> shown_;  // areas in steps²
   size_t lost_triangles_ = 0;
 };
 

@@ -8,6 +8,7 @@
 #include "common/sheets/sheet_density.h"
 #include "common/sheets/sheet_limits.h"
 #include "common/sheets/sheet_source.h"
+#include "server/prepare/pages/page_texels.h"
 
 namespace burnish {
 
@@ -65,7 +66,6 @@ uint64_t PageSheets::texels() const {
 }
 
 double page_area(const Page& page, double step) {
-  constexpr double kLeastOfTriangle = 0.5;  // steps²
   double area = 0;
   for (const PageTriangle& t : page.triangles) {
     const Vec3d origin = page.positions[t[0]].cast<double>();
@@ -74,7 +74,7 @@ double page_area(const Page& page, double step) {
     area += a.cross(b).norm() / 2;
   }
   const auto triangles = static_cast<double>(page.triangles.size());
-  return std::max(area, kLeastOfTriangle * triangles) * step * step;
+  return std::max(area, kTriangleAreaMin * triangles) * step * step;
 }
 
 Result<PageSheets> make_page_sheets(const Page& page, const PageSheetsWish& wish) {

@@ -13,13 +13,13 @@ static double densest_density(double area) {
   return kSheetSideMax / std::sqrt(area);
 }
 
-/// Returns the density of a page's pictures. A page without any gets what a coarse page has.
+/// Returns the density that a page's pictures need. A page without any gets what a coarse page has.
 static double painted_density(const Page& page, const PagePaint& paint, double step) {
   const size_t triangles = page.triangles.size();
   const double area = page_area(page, step);
-  if (paint.painted_area() <= 0) return edge_density(kTexelsPerEdge, triangles, area);
-  const double native = native_density(paint.used_texels(), paint.painted_area() * step * step);
-  return std::max(native, edge_density(kTexelsPerEdge / 4, triangles, area));
+  const double needed = paint.needed_density() / step;
+  if (needed == 0) return edge_density(kTexelsPerEdge, triangles, area);
+  return std::max(needed, edge_density(kTexelsPerEdge / 4, triangles, area));
 }
 
 Result<PageSheets> make_painted_sheets(const Page& page, const PagePaint& paint,

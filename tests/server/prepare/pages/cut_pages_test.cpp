@@ -1,6 +1,7 @@
 #include "server/prepare/pages/cut_pages.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -65,6 +66,56 @@ TEST_F(CutPages, PagesOfSeveralTrianglesHaveTheirTexelsAtMost) {
   }
   EXPECT_EQ(alone, 1u);
   EXPECT_LT(pages.count(), 3 * (10.0 * texels.size() + 100 * 900) / 2000);
+}
+
+/// Returns the triangles of a square of quads of side 1.
+TriangleMesh square(uint32_t quads) {
+  TriangleMesh mesh;
+  for (uint32_t y = 0; y <= quads; ++y)
+    for (uint32_t x = 0; x <= quads; ++x) mesh.vertices.push_back({double(x), double(y), 0});
+  for (uint32_t y = 0; y < quads; ++y)
+    for (uint32_t x = 0; x < quads; ++x) {
+      const uint32_t a = y * (quads + 1) + x;
+      mesh.triangles.push_back({a, a + 1, a + quads + 2});
+      mesh.triangles.push_back({a, a + quads + 2, a + quads + 1});
+    }
+  return mesh;
+}
+
+TEST_F(CutPages, APageWithADensePartIsNoLargerThanASheetForIt) {
+  constexpr uint32_t kQuads = 40, kDense = 8;
+  const TriangleMesh mesh = square(kQuads);
+  std::vector<float> texels;
+  for (uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const uint32_t quad = t / 2;
+    texels.push_back(quad % kQuads < kDense && quad / kQuads < kDense ? 100 : 1);
+  }
+  const PageGroups pages = cut(mesh, 0, {texels, 16'000});
+  size_t sharp = 0;  // dense triangles
+  for (size_t page = 0; page < pages.count(); ++page)
+    if (100 * pages[page].size() <= 2 * 16'000)
+      sharp += std::ranges::count_if(pages[page], [&](uint32_t t) { return texels[t] > 1; });
+  EXPECT_GE(sharp, 0.95 * 2 * kDense * kDense);
+  EXPECT_LE(pages.count(), 24u);
+}
+
+TEST_F(CutPages, DensityThatChangesEverywhereMakesFewPages) {
+  const TriangleMesh mesh = square(400);
+  std::vector<float> texels(mesh.triangles.size(), 1);
+  for (size_t t = 0; t < texels.size(); t += 25) texels[t] = 10'000;
+  EXPECT_LE(cut(mesh, 0, {texels, 1e6}).count(), 1024u);
+}
+
+TEST(NeededTexelDensity, IsTheMeanWherePartsAreAboutAsDense) {
+  EXPECT_DOUBLE_EQ(needed_texel_density({{400, 100}, {500, 100}}), std::sqrt(4.5));
+}
+
+TEST(NeededTexelDensity, IsThatOfAMuchDenserPart) {
+  EXPECT_DOUBLE_EQ(needed_texel_density({{400, 1}, {100, 100}, {100, 100}}), 20);
+}
+
+TEST(NeededTexelDensity, FewTexelsMayBeDenser) {
+  EXPECT_NEAR(needed_texel_density({{4, 0.0001}, {100, 100}, {100, 100}}), 1, 0.02);
 }
 
 TEST_F(CutPages, NeedlesOfAStripStayBesideTheirNeighbours) {

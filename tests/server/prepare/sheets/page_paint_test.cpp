@@ -74,7 +74,7 @@ TEST_F(PaintedTriangle, CountsItsTexelsAndArea) {
   const TriangleFinder finder(surface_.mesh, grid_, {});
   const PagePaint paint(page(), surface_, tiles_, finder);
   EXPECT_NEAR(paint.used_texels(), 0.8 * 0.8 * 64 * 64 / 2, 0.1);
-  EXPECT_NEAR(paint.painted_area(), 2048.0 * 2048 / 2, 1);
+  EXPECT_NEAR(paint.needed_density(), 0.8 * 64 / 2048, 1e-4);
   EXPECT_EQ(paint.lost_triangles(), 0u);
 }
 

@@ -35,7 +35,7 @@ Vec3d shown_at(const Sheet& sheet, const Vec2d& at) {
 /// Sums the squared differences of one page.
 class PageDifference {
  public:
-  PageDifference(const PaintedBall& ball, const PageGrid& grid) : ball_(ball), grid_(grid) {}
+  PageDifference(const ColourAt& pattern, const PageGrid& grid) : pattern_(pattern), grid_(grid) {}
 
   void add(const Page& page, const PageCharts& charts, const Sheet& sheet) {
     for (size_t t = 0; t < page.triangles.size(); ++t) {
@@ -69,13 +69,14 @@ class PageDifference {
 
   void add_place(const Vec3d& place, const ChartMapping& map, const Sheet& sheet, double area) {
     const Vec3d position = grid_.origin + (place + Vec3d::Constant(0.5)) * grid_.step();
-    const Rgba8 wanted = ball_.colour_at(position);
-    const Vec3d shown = shown_at(sheet, map.texel(place));
-    squares_ += area * (shown - Vec3d(wanted[0], wanted[1], wanted[2])).squaredNorm();
+    const auto colour = pattern_(position);
+    if (!colour) return;
+    const Vec3d wanted((*colour)[0], (*colour)[1], (*colour)[2]);
+    squares_ += area * (shown_at(sheet, map.texel(place)) - wanted).squaredNorm();
     areas_ += area;
   }
 
-  const PaintedBall& ball_;
+  const ColourAt& pattern_;
   const PageGrid& grid_;
   std::mt19937 random_{1};
   std::uniform_real_distribution<double> part_{0, 1};
@@ -126,8 +127,14 @@ Result<bool> build_sheets_of_archive(std::span<const uint8_t> zip, const PageFil
 
 double psnr_of_level(const PaintedBall& ball, const PageFile& pages, const SheetFile& sheets,
                      int level) {
+  const auto pattern = [&](const Vec3d& position) { return ball.colour_at(position); };
+  return psnr_of_level(ColourAt(pattern), pages, sheets, level);
+}
+
+double psnr_of_level(const ColourAt& pattern, const PageFile& pages, const SheetFile& sheets,
+                     int level) {
   const PageHead& head = pages.directory().head;
-  PageDifference difference(ball, head.grid);
+  PageDifference difference(pattern, head.grid);
   for (PageId id = head.level_begin(level); id < head.level_begin(level + 1); ++id) {
     const Page page = pages.read_page(id).value();
     difference.add(page, sheets.read_charts(page).value(), sheets.read_sheet(id, 0).value());

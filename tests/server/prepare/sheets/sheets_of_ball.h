@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <span>
 
 #include "common/pages/page_file.h"
@@ -23,8 +25,14 @@ Result<bool> build_sheets_of_archive(std::span<const uint8_t> zip, const PageFil
                                      const SheetsOptions& options = {},
                                      const Progress& progress = {}, SheetsReport* report = nullptr);
 
+/// Returns the colour of a pattern at a place; nothing where it does not count.
+using ColourAt = std::function<std::optional<Rgba8>(const Vec3d& position)>;
+
 /// Returns the peak signal-to-noise ratio of the finest sheets of a level, sampled bilinearly at
-/// random places of its pages and weighted by area, to the ball's pattern there; dB.
+/// random places of its pages and weighted by area, to a pattern there; dB.
+double psnr_of_level(const ColourAt& pattern, const PageFile& pages, const SheetFile& sheets,
+                     int level);
+/// The same to the pattern of a ball.
 double psnr_of_level(const PaintedBall& ball, const PageFile& pages, const SheetFile& sheets,
                      int level);
 
