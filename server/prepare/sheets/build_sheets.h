@@ -15,6 +15,8 @@
 
 namespace burnish {
 
+struct UnfinishedSheets;
+
 /// A scan whose sheets are made.
 struct SheetsInput {
   const TexturedSurface& surface;
@@ -28,6 +30,10 @@ struct SheetsOptions {
   PreparationBudget* budget = nullptr;  ///< what it may take; null: what the machine has
   ScratchSpace space;                   ///< of arrays that go with the scan's triangles
   uint64_t held_bytes = 0;              ///< of memory that the scan takes beside it
+  /// What a cancelled build has made, if it was of these pages. This build goes on from there, and
+  /// leaves what it has made itself if it is cancelled. Needs: the same scan, seams and path. Null:
+  /// nothing is kept.
+  UnfinishedSheets* unfinished = nullptr;
 };
 
 /// The cost and the result of making sheets.
@@ -42,6 +48,7 @@ struct SheetsReport {
   double used_texels = 0;       ///< of the pictures, inside the triangles
   uint64_t lost_triangles = 0;  ///< of level 0, that the scan does not have
   double picture_seconds = 0;
+  uint64_t kept_pages = 0;  ///< of cancelled builds before
 };
 
 /// Writes the sheet file of a scan (common/sheets/sheet_format.h). Sheets of level 0 are baked from
@@ -52,7 +59,8 @@ struct SheetsReport {
 /// it takes memory or disk. Pictures lie in files without names in the folder of `path`; none is in
 /// memory as a whole. Fails: resource_exhausted naming bytes and limit; data_loss (a damaged page);
 /// a damaged picture if the textures refuse damage; cancelled; what writing says. Then the path is
-/// as it was. Deterministic: the same bytes for any number of threads.
+/// as it was. Deterministic: the same bytes for any number of threads, and of builds that were
+/// cancelled before.
 Result<bool> build_sheets(const SheetsInput& scan, const std::filesystem::path& path,
                           const SheetsOptions& options = {}, const Progress& progress = {},
                           SheetsReport* report = nullptr);

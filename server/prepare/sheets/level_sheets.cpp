@@ -13,6 +13,7 @@ Result<LevelSheets> LevelSheets::create(const std::filesystem::path& folder, Pag
 Status LevelSheets::keep(PageCharts charts, std::span<const Sheet> sheets) {
   KeptPage& kept = pages_[sheets.front().page - first_];
   kept.charts = std::move(charts);
+  kept.sheets.clear();
   for (const Sheet& sheet : sheets) {
     const std::span<const uint8_t> bytes{reinterpret_cast<const uint8_t*>(sheet.texels.data()),
                                          sheet.texels.size() * sizeof(Rgba8)};
@@ -21,6 +22,15 @@ Status LevelSheets::keep(PageCharts charts, std::span<const Sheet> sheets) {
     kept.sheets.push_back({{sheet.page, sheet.halving, sheet.density, sheet.layout, {}}, begin});
   }
   return Status::ok();
+}
+
+uint64_t LevelSheets::memory_bytes() const {
+  uint64_t bytes = pages_.size() * sizeof(KeptPage);
+  for (const KeptPage& page : pages_) {
+    bytes += page.charts.charts.size() * (sizeof(Chart) + page.sheets.size() * sizeof(TexelPlace));
+    bytes += page.charts.of_triangle.size() * sizeof(uint16_t);
+  }
+  return bytes;
 }
 
 Result<Sheet> LevelSheets::read(PageId page, double density) const {

@@ -24,7 +24,8 @@ class LevelSheets {
   static Result<LevelSheets> create(const std::filesystem::path& folder, PageId first,
                                     size_t pages);
 
-  /// `sheets`: of one page, the finest first. Fails: resource_exhausted.
+  /// Keeps the sheets of one page, the finest first, instead of those before. Fails:
+  /// resource_exhausted.
   Status keep(PageCharts charts, std::span<const Sheet> sheets);
 
   const PageCharts& charts(PageId page) const { return at(page).charts; }
@@ -37,6 +38,7 @@ class LevelSheets {
   Result<Sheet> read(PageId page, double density) const;
 
   uint64_t texels() const { return bytes_->load() / sizeof(Rgba8); }  ///< of all sheets so far
+  uint64_t memory_bytes() const;                                      ///< about
 
  private:
   struct Kept {

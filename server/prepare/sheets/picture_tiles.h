@@ -31,6 +31,8 @@ class PictureTiles {
   std::span<const TiledLevel> levels(uint32_t picture) const { return levels_[picture]; }
   bool has(uint32_t picture) const { return !levels_[picture].empty(); }
 
+  uint64_t bytes() const { return bytes_; }  ///< of scratch
+
   /// Decodes a picture into its tiles. `admit` hears the size first; `goes_on` is asked for each
   /// row. Fails: as read_picture_rows() and `admit` do; then texels that did not come are white.
   Status decode(uint32_t picture, std::span<const uint8_t> file, const std::string& name,

@@ -5,11 +5,13 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "common/sheets/sheet_codec.h"
+#include "server/prepare/sheets/unfinished_sheets.h"
 #include "tests/common/picture/encoding.h"
 #include "tests/common/temporary_folder.h"
 #include "tests/server/prepare/sheets/sheets_of_ball.h"
@@ -168,6 +170,47 @@ TEST_F(BuildSheets, CanBeCancelledInEachPhase) {
     EXPECT_EQ(built.status().code(), StatusCode::kCancelled) << cancelled;
     EXPECT_FALSE(fs::exists(path_));
   }
+}
+
+TEST_F(BuildSheets, ACancelledBuildGoesOnWhereItWas) {
+  build();
+  const std::string at_once = content_of(path_);
+  fs::remove(path_);
+  UnfinishedSheets unfinished;
+  const SheetsOptions options{.threads = 1, .unfinished = &unfinished};
+  size_t decodings = 0, rounds = 0;
+  for (StatusCode code = StatusCode::kCancelled; code == StatusCode::kCancelled; ++rounds) {
+    const uint64_t begin = unfinished.pages();
+    const Progress until_a_page_more = [&](std::string_view phase, double) {
+      decodings += rounds > 0 && phase == "pictures";
+      return unfinished.pages() <= begin;
+    };
+    const auto built =
+        build_sheets_of_archive(zip_, pages_, path_, options, until_a_page_more, &report_);
+    code = built.status().code();
+    ASSERT_TRUE(built.is_ok() || code == StatusCode::kCancelled) << built.status().to_string();
+    EXPECT_EQ(report_.kept_pages, begin);
+  }
+  EXPECT_GT(rounds, 1u);
+  EXPECT_EQ(decodings, 0u) << "pictures were decoded again";
+  EXPECT_TRUE(content_of(path_) == at_once);
+}
+
+TEST_F(BuildSheets, WhatWasMadeOfOtherPagesIsNotKept) {
+  UnfinishedSheets unfinished;
+  const SheetsOptions options{.threads = 1, .unfinished = &unfinished};
+  const Progress until_a_page = [&](std::string_view, double) { return unfinished.pages() == 0; };
+  const auto first = build_sheets_of_archive(zip_, pages_, path_, options, until_a_page);
+  ASSERT_EQ(first.status().code(), StatusCode::kCancelled);
+  ASSERT_GT(unfinished.pages(), 0u);
+  ball_.quads_per_side = 20;
+  zip_ = ball_.zip();
+  pages_ = pages_of_archive(zip_, folder_ / "ball.pages");
+  build(options);
+  EXPECT_EQ(report_.kept_pages, 0u);
+  const std::string after = content_of(path_);
+  build();
+  EXPECT_TRUE(content_of(path_) == after);
 }
 
 TEST_F(BuildSheets, CanBeCancelledInEachLoopBeforeItsPages) {
