@@ -96,6 +96,7 @@ Result<ImportOutcome> MeshStore::import(Upload& upload, const ImportHeader& head
   {
     const bool is_small = is_prepared_in_a_moment(upload.path(), header.format);
     ASSIGN_OR_RETURN(auto turn, preparing_.wait({user, id, is_small}, progress));
+    unfinished_bake_.forget_others(id);
     const Progress in_turn = turn.progress(progress);
     const auto known = read_scan_folder(scan_folder(id));
     const StatusCode code = known.status().code();
@@ -121,6 +122,7 @@ Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& i
   if (!report(progress, "reading", 0)) return cancelled("the import was cancelled");
   LibraryBudget budget(memory_, folder_.scans(), options_.device_memory_bytes_max);
   RETURN_IF_ERROR(budget.ask_to_read(original, header.format));
+  ASSIGN_OR_RETURN(const bool has_pictures, may_have_pictures(original, header.format));
   ASSIGN_OR_RETURN(const CountedTexels texels,
                    texels_of_original(original, header.format, header.name, budget, progress));
   ASSIGN_OR_RETURN(const auto mesh,
@@ -139,7 +141,8 @@ Result<ImportOutcome> MeshStore::import_new(Upload& upload, const std::string& i
   prepared.reset();  // pages need the memory
   RETURN_IF_ERROR(build_pages(
       {mesh->vertices, mesh->triangles, mesh->colours, scan.statistics, texels.for_pages()},
-      staging.path() / pages_file_name(), {options_.threads, &budget, budget.space()}, progress));
+      staging.path() / pages_file_name(has_pictures), {options_.threads, &budget, budget.space()},
+      progress));
   RETURN_IF_ERROR(put_new(staging, scan, header, progress));
   ASSIGN_OR_RETURN(ScanInfo stored, find(id));
   return ImportOutcome{std::move(stored), false};
@@ -240,6 +243,7 @@ Status MeshStore::remove(const std::string& id) {
   }
   pages_.forget(id);
   sheets_.forget(id);
+  unfinished_bake_.forget(id);
   return sync_folder(folder_.scans());
 }
 

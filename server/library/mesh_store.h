@@ -30,6 +30,7 @@
 #include "server/library/scan_names.h"
 #include "server/library/shared_wishes.h"
 #include "server/library/staging_folder.h"
+#include "server/library/unfinished_bake.h"
 #include "server/library/upload.h"
 #include "server/memory/quota.h"
 #include "server/prepare/prepared_mesh.h"
@@ -263,7 +264,10 @@ class MeshStore {
   Status write_kept_hierarchy(const std::string& id, const PreparedKey& key,
                               const std::shared_ptr<const SharedMesh>& mesh);
 
-  std::filesystem::path pages_path(const std::string& id) const;
+  /// Returns what the directory of a scan's original says, which is read once; nothing if it cannot
+  /// be read.
+  std::optional<bool> may_have_pictures_inside(const std::string& id);
+  std::filesystem::path pages_path(const std::string& id);
   Status make_pages(const std::string& id, const Progress& progress);
   Result<std::shared_ptr<const ScanPages>> open_page_file(const std::string& id);
   std::filesystem::path sheets_path(const std::string& id, uint64_t version) const;
@@ -297,7 +301,8 @@ class MeshStore {
   OpenSheets sheets_;
   using WishedSheets = SharedWishes<std::pair<std::string, uint64_t>>;  // of a scan and a version
   WishedSheets wished_sheets_;
-  KnownScans without_pictures_, maybe_with_pictures_;
+  UnfinishedBake unfinished_bake_;
+  KnownScans without_pictures_, maybe_with_pictures_, plain_;
   std::mutex wanted_mutex_;
   IsWanted is_wanted_;
   PreparingLine preparing_;

@@ -16,7 +16,12 @@ namespace fs = std::filesystem;
 
 static constexpr size_t kDescribedBlockBytesMax = 64 << 10;
 
-fs::path MeshStore::pages_path(const std::string& id) const {
+// A scan whose original is lost keeps the pages that it has.
+fs::path MeshStore::pages_path(const std::string& id) {
+  const fs::path with_pictures = scan_folder(id) / pages_file_name(true);
+  std::error_code error;
+  if (fs::exists(with_pictures, error) || may_have_pictures_inside(id).value_or(false))
+    return with_pictures;
   return scan_folder(id) / pages_file_name();
 }
 
@@ -92,9 +97,13 @@ Status MeshStore::make_pages(const std::string& id, const Progress& progress) {
                    read_original(original, scan.format, scan.name, budget, progress));
   ASSIGN_OR_RETURN(const MeshStatistics statistics,
                    statistics_of(mesh->view(), budget.space(), progress));
-  return build_pages(
-      {mesh->vertices, mesh->triangles, mesh->colours, statistics, texels.for_pages()},
-      pages_path(id), {options_.threads, &budget, budget.space()}, progress);
+  const fs::path path = pages_path(id);
+  RETURN_IF_ERROR(
+      build_pages({mesh->vertices, mesh->triangles, mesh->colours, statistics, texels.for_pages()},
+                  path, {options_.threads, &budget, budget.space()}, progress));
+  std::error_code ignored;
+  if (path != folder / pages_file_name()) fs::remove(folder / pages_file_name(), ignored);
+  return Status::ok();
 }
 
 // The coarsest blocks are the last ones; a client begins with them.

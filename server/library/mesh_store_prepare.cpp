@@ -51,7 +51,9 @@ Result<PreparingLine::Turn> MeshStore::wait_to_prepare(const std::string& id,
   const bool is_small =
       scan.is_ok() &&
       is_prepared_in_a_moment(folder / original_file_name(scan->format), scan->format);
-  return preparing_.wait({user, id, is_small}, progress);
+  ASSIGN_OR_RETURN(auto turn, preparing_.wait({user, id, is_small}, progress));
+  unfinished_bake_.forget_others(id);
+  return turn;
 }
 
 Status MeshStore::prepare_scan(const std::string& id, const PreparedKey& key,

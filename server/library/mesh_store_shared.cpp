@@ -122,6 +122,7 @@ void MeshStore::drop_here(const std::string& id) {
   }
   pages_.forget(id);
   sheets_.forget(id);
+  unfinished_bake_.forget(id);
 }
 
 Status MeshStore::bring_here(const std::string& id, const Progress& progress) {

@@ -11,10 +11,12 @@
 #include "common/pages/directory_codec.h"
 #include "server/library/levelled_sheets.h"
 #include "server/library/mesh_store.h"
+#include "server/library/original_texels.h"
 #include "server/library/read_original.h"
 #include "server/library/scan_record.h"
 #include "server/memory/library_budget.h"
 #include "server/prepare/sheets/build_sheets.h"
+#include "server/prepare/sheets/unfinished_sheets.h"
 
 namespace burnish {
 
@@ -52,16 +54,20 @@ static bool is_to_be_made(StatusCode code) {
          code == StatusCode::kUnimplemented || code == StatusCode::kFailedPrecondition;
 }
 
-bool MeshStore::shows_no_picture(const std::string& id) {
-  if (without_pictures_.has(id)) return true;
-  if (maybe_with_pictures_.has(id)) return false;
+std::optional<bool> MeshStore::may_have_pictures_inside(const std::string& id) {
+  if (maybe_with_pictures_.has(id)) return true;
+  if (plain_.has(id)) return false;
   const auto scan = read_scan_folder(scan_folder(id));
-  if (!scan.is_ok()) return false;
-  const auto file = MappedFile::open(scan_folder(id) / original_file_name(scan->format));
-  if (!file.is_ok()) return false;
-  const bool may_have_some = may_have_pictures(file->bytes(), scan->format);
-  (may_have_some ? maybe_with_pictures_ : without_pictures_).add(id);
-  return !may_have_some;
+  if (!scan.is_ok()) return std::nullopt;
+  const auto may_have_some =
+      may_have_pictures(scan_folder(id) / original_file_name(scan->format), scan->format);
+  if (!may_have_some.is_ok()) return std::nullopt;
+  (*may_have_some ? maybe_with_pictures_ : plain_).add(id);
+  return *may_have_some;
+}
+
+bool MeshStore::shows_no_picture(const std::string& id) {
+  return without_pictures_.has(id) || !may_have_pictures_inside(id).value_or(true);
 }
 
 Result<bool> MeshStore::may_show_pictures(const std::string& id, const Progress& progress) {
@@ -124,13 +130,16 @@ Result<bool> MeshStore::make_sheets(const ScanPages& pages, const SeamWish& seam
   ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(original));
   bool is_made = false;
   SheetsReport made;
-  const fs::path path = sheets_path(pages.scan_id, seams_version(seams));
+  const UnfinishedBake::Key key = {pages.scan_id, seams_version(seams)};
+  const fs::path path = sheets_path(pages.scan_id, key.second);
+  std::unique_ptr<UnfinishedSheets> unfinished = unfinished_bake_.take(key);
   const auto build = [&](const TexturedSurface& surface) -> Status {
     const auto levelled = level(surface, seams, scan.name, budget, progress);
     RETURN_IF_ERROR(levelled.status());
     const LevelledSeams* factors = *levelled ? &**levelled : nullptr;
     const uint64_t bytes = factors != nullptr ? factors->byte_count() : 0;
-    const SheetsOptions options = {options_.threads, &budget, budget.space(), held_bytes + bytes};
+    const SheetsOptions options = {options_.threads, &budget, budget.space(), held_bytes + bytes,
+                                   unfinished.get()};
     const auto built =
         build_sheets({surface, pages.file, scan.name, factors}, path, options, progress, &made);
     if (built.status().code() == StatusCode::kDataLoss)
@@ -139,8 +148,11 @@ Result<bool> MeshStore::make_sheets(const ScanPages& pages, const SeamWish& seam
     is_made = *built;
     return Status::ok();
   };
-  RETURN_IF_ERROR(read_textured_surface(file.bytes(), scan.format, scan.name, build,
-                                        {.budget = reading_budget(budget, progress)}));
+  const Status done = read_textured_surface(file.bytes(), scan.format, scan.name, build,
+                                            {.budget = reading_budget(budget, progress)});
+  if (done.code() == StatusCode::kCancelled)
+    unfinished_bake_.keep(key, std::move(unfinished), memory_, folder_.scans());
+  RETURN_IF_ERROR(done);
   if (made.lost_triangles > 0)
     spdlog::warn("scan {}: {} triangles of its pages have no picture", scan.name,
                  made.lost_triangles);

@@ -6,6 +6,11 @@
 
 namespace burnish {
 
+Result<bool> may_have_pictures(const std::filesystem::path& path, MeshFormat format) {
+  ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(path));
+  return may_have_pictures(file.bytes(), format);
+}
+
 Result<CountedTexels> texels_of_original(const std::filesystem::path& path, MeshFormat format,
                                          const std::string& name, LibraryBudget& budget,
                                          const Progress& progress) {

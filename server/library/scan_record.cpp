@@ -118,12 +118,21 @@ static std::optional<uint32_t> version_in(const std::string& name, const std::st
   return version;
 }
 
-std::string pages_file_name() {
-  return versioned_name("pages", kPageFormatVersion);
+static std::string textured_pages_name(uint32_t format, uint32_t cut) {
+  return "pages-format" + std::to_string(format) + "-texels" + std::to_string(cut) + ".pages";
+}
+
+std::string pages_file_name(bool may_have_pictures) {
+  return may_have_pictures ? textured_pages_name(kPageFormatVersion, kTexelCutVersion)
+                           : versioned_name("pages", kPageFormatVersion);
 }
 
 std::optional<uint32_t> pages_file_version(const std::string& name) {
-  return version_in(name, "pages");
+  unsigned format = 0, cut = 0;
+  if (std::sscanf(name.c_str(), "pages-format%u-texels%u", &format, &cut) != 2)
+    return version_in(name, "pages");
+  if (textured_pages_name(format, cut) != name) return std::nullopt;
+  return cut == kTexelCutVersion ? format : 0;
 }
 
 static std::string sheets_name(uint32_t format, uint64_t seams) {

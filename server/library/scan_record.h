@@ -35,10 +35,14 @@ std::string hierarchy_file_name(const PreparedKey& key);
 /// Returns the version in such a name; nothing for other names.
 std::optional<uint32_t> hierarchy_file_version(const std::string& name);
 
-/// Returns "pages-format1.pages", with the version of the page file.
-std::string pages_file_name();
+/// Counts up whenever pages of scans with pictures end elsewhere: older ones are made again.
+inline constexpr uint32_t kTexelCutVersion = 2;
 
-/// Returns the version in such a name; nothing for other names.
+/// Returns "pages-format1.pages", with the version of the page file, or of a scan that may have
+/// pictures "pages-format1-texels2.pages", with kTexelCutVersion too.
+std::string pages_file_name(bool may_have_pictures = false);
+
+/// Returns the version in such a name, 0 for another kTexelCutVersion; nothing for other names.
 std::optional<uint32_t> pages_file_version(const std::string& name);
 
 /// Returns "sheets-format1.sheets", with the version of the sheet file, or of levelled sheets

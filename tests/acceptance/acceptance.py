@@ -197,7 +197,8 @@ def try_pictures(vertices, table, with_page):
         checks_of = {"colours in pictures": lambda: pictures.check_scan(process.socket, vertices),
                      "level seams": lambda: seams_told(pictures.check_seams(process.socket, page)),
                      "sharp views": lambda: sharpness_told(pictures.check_sharpness(process.socket, page)),
-                     "close views": lambda: sharpness_told(pictures.check_close_view(process.socket, page))}
+                     "close views": lambda: sharpness_told(pictures.check_close_view(process.socket, page)),
+                     "a dense part": lambda: sharpness_told(pictures.check_dense_part(process.socket, page))}
         for case, check in checks_of.items():
             try:
                 table.add("textured", case, "right", check())

@@ -20,6 +20,8 @@ VIEW = ["camera 0 0", "colour scan", "light unlit"]
 LIKE_VIEW = ["--view", "0,0", "--light", "unlit", "--size", "320x240"]
 WAVE = 12  # texels
 LARGE_SIDE, LARGE_WAVE = 2048, 5
+FACE_SIDE, DRAPERY_SIDE, FACE_WAVE, FACE_ZOOM = 388, 248, 6, 8
+FACE_VIEW = ["camera 0 0 9 20 20 0", "colour scan", "light unlit"]
 CLOSE_VIEW = ["camera 0 0 0.6 1.7 1.7 0", *VIEW[1:]]
 
 
@@ -193,12 +195,30 @@ def check_close_view(socket, page):
         return parts
 
 
-def _drawn_files(scan, packed, folder):
+def check_dense_part(socket, page):
+    """Returns the contrast of a face beside a coarser drapery, as check_sharpness() does."""
+    with tempfile.TemporaryDirectory(prefix="burnish-") as name:
+        folder = pathlib.Path(name)
+        scan = make_face(folder)
+        packed = folder / "packed.zip"
+        fronts.run("filter", scan, packed, "--beta", 1)
+        pattern = _contrast(decoded((folder / "skin.png").read_bytes())[:FACE_SIDE, :FACE_SIDE])
+        shown = (_drawn_files(scan, packed, folder, FACE_ZOOM)
+                 | _drawn_session(fronts.Server(socket, packed), page, folder, FACE_VIEW))
+        parts = {way: _contrast(picture) / pattern for way, picture in shown.items()}
+        for way, part in parts.items():
+            assert 0.7 < part < 1.05, f"{way} shows {part:.2f} of the face's contrast"
+        return parts
+
+
+def _drawn_files(scan, packed, folder, zoom=1):
     """Returns the pictures that are drawn without a server: of a folder's files, and of an archive."""
-    out = {way: folder / f"{way}.png" for way in ("render", "render of an archive", "Python")}
-    fronts.run("render", scan, out["render"], *LIKE_VIEW)
-    fronts.run("render", packed, out["render of an archive"], *LIKE_VIEW)
-    burnish.render(scan, out["Python"], view=(0, 0), size=(320, 240), light="unlit")
+    out = {way: folder / f"{way}.png" for way in ("render", "render of an archive")}
+    fronts.run("render", scan, out["render"], *LIKE_VIEW, "--zoom", zoom)
+    fronts.run("render", packed, out["render of an archive"], *LIKE_VIEW, "--zoom", zoom)
+    if zoom == 1:
+        out["Python"] = folder / "Python.png"
+        burnish.render(scan, out["Python"], view=(0, 0), size=(320, 240), light="unlit")
     return {way: decoded(file.read_bytes()) for way, file in out.items()}
 
 
@@ -233,6 +253,29 @@ def make_pattern(folder, side=8, texels=SIDE, wave=WAVE):
             lines += [f"f {a}/{a} {b}/{b} {c}/{c}", f"f {a}/{a} {c}/{c} {d}/{d}"]
     row = 120 + 60 * np.sin(np.arange(texels) * (2 * np.pi / wave))
     picture = np.broadcast_to(row[None, :, None], (texels, texels, 3)).astype(np.uint8)
+    scan = folder / "scan.obj"
+    scan.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    (folder / "skin.mtl").write_text("newmtl skin\nmap_Kd skin.png\n", encoding="utf-8")
+    (folder / "skin.png").write_bytes(encoded(picture))
+    return scan
+
+
+def make_face(folder):
+    """Writes a square of 3,200 triangles, whose middle shows more texels than the rest. Returns the OBJ's file."""
+    side, begin, end, margin = 40, 14, 26, 4
+    size = np.array([FACE_SIDE + DRAPERY_SIDE, FACE_SIDE])
+    lines = ["mtllib skin.mtl", "usemtl skin"]
+    for y in range(side):
+        for x in range(side):
+            is_face = begin <= x < end and begin <= y < end
+            chart = (0, begin, end - begin, FACE_SIDE) if is_face else (FACE_SIDE, 0, side, DRAPERY_SIDE)
+            left, first, quads, texels = chart
+            for i, j in ((x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)):
+                u, v = margin + np.array([i - first, j - first]) / quads * (texels - 2 * margin) + [left, 0]
+                lines += [f"v {i} {j} {i * j % 3 / 9}", f"vt {float(u / size[0])!r} {float(1 - v / size[1])!r}"]
+            lines += ["f -4/-4 -3/-3 -2/-2", "f -4/-4 -2/-2 -1/-1"]
+    picture = np.full((size[1], size[0], 3), 120, np.uint8)
+    picture[:, :FACE_SIDE] = (120 + 60 * np.sin(np.arange(FACE_SIDE) * (2 * np.pi / FACE_WAVE)))[None, :, None]
     scan = folder / "scan.obj"
     scan.write_text("\n".join(lines) + "\n", encoding="utf-8")
     (folder / "skin.mtl").write_text("newmtl skin\nmap_Kd skin.png\n", encoding="utf-8")

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <atomic>
 #include <fstream>
 #include <functional>
@@ -38,7 +39,9 @@ class SheetStore : public testing::Test {
   }
 
   fs::path path() const { return library_.folder->scans() / scan_.id / sheets_file_name(); }
-  fs::path pages_path() const { return library_.folder->scans() / scan_.id / pages_file_name(); }
+  fs::path pages_path() const {
+    return library_.folder->scans() / scan_.id / pages_file_name(true);
+  }
 
   PageHead pages() {
     return decode_head(library_.store->describe_pages(scan_.id, {}).value().head).value();
@@ -218,6 +221,40 @@ TEST_F(SheetStore, MakingThemCanBeCancelled) {
   EXPECT_TRUE(has_sheets());
 }
 
+bool cancel_after_a_page(std::string_view phase, double fraction) {
+  return phase != "sheets" || fraction <= 0;
+}
+
+TEST_F(SheetStore, ACancelledMakingGoesOnWhenItIsAskedForAgain) {
+  ASSERT_TRUE(has_sheets());
+  const std::string at_once = content_of(path());
+  fs::remove(path());
+  library_.restart();
+  ASSERT_EQ(describe(cancel_after_a_page).status().code(), StatusCode::kCancelled);
+  size_t decodings = 0;
+  const Progress count = [&](std::string_view phase, double) {
+    decodings += phase == "pictures";
+    return true;
+  };
+  ASSERT_TRUE(describe(count).is_ok());
+  EXPECT_EQ(decodings, 0u);
+  EXPECT_TRUE(content_of(path()) == at_once);
+}
+
+TEST_F(SheetStore, WhatACancelledMakingHasMadeGoesWhenAnotherScanIsPrepared) {
+  const uint64_t before = library_.store->memory().taken();
+  ASSERT_EQ(describe(cancel_after_a_page).status().code(), StatusCode::kCancelled);
+  EXPECT_GT(library_.store->memory().taken(), before);
+  const auto leftover = [&] {
+    return std::ranges::count_if(fs::directory_iterator(path().parent_path()),
+                                 [](const auto& e) { return e.path().extension() == ".tmp"; });
+  };
+  EXPECT_EQ(leftover(), 1);
+  ASSERT_TRUE(library_.import(sphere_file(), "other").is_ok());
+  ASSERT_TRUE(library_.store->describe_pages(library_.store->find("other")->id, {}).is_ok());
+  EXPECT_EQ(leftover(), 0);
+}
+
 TEST_F(SheetStore, MakingThemBeyondTheMemoryIsRefusedWithTheNumbers) {
   library_.restart({.memory_bytes_max = 8 << 20});
   const Status status = describe().status();
@@ -229,6 +266,24 @@ TEST_F(SheetStore, NothingOfTheMakingStaysInMemory) {
   const uint64_t before = library_.store->memory().taken();
   ASSERT_TRUE(has_sheets());
   EXPECT_LT(library_.store->memory().taken(), before + (64 << 10));
+}
+
+TEST_F(SheetStore, PagesThatEndByAnOlderRuleAreMadeAgain) {
+  const PageHead head = pages();
+  const fs::path older = pages_path().parent_path() / pages_file_name();
+  fs::rename(pages_path(), older);
+  library_.restart();
+  EXPECT_EQ(pages().level_pages, head.level_pages);
+  EXPECT_TRUE(fs::exists(pages_path()));
+  EXPECT_FALSE(fs::exists(older));
+  EXPECT_TRUE(has_sheets());
+}
+
+TEST_F(SheetStore, AScanThatLostItsFileKeepsItsPages) {
+  const PageHead head = pages();
+  fs::remove(pages_path().parent_path() / original_file_name(MeshFormat::kZip));
+  library_.restart();
+  EXPECT_EQ(pages().level_pages, head.level_pages);
 }
 
 TEST_F(SheetStore, AScanThatIsRemovedTakesItsSheetsAlong) {

@@ -58,10 +58,13 @@ TEST_F(StaleFiles, PagesOfOtherVersionsAndHalfWrittenOnesGo) {
   write_page_file("pages-format999.pages", "BnPg12");
   write_page_file(pages_file_name() + ".4711-3.tmp", "BnPg");
   write_page_file("pages-format998.pages", "something else");
+  write_page_file("pages-format1-texels1.pages", "BnPg1");
+  write_page_file(pages_file_name(true), "BnPg1");
   const RemovedFiles removed = remove_stale_files(*library_.folder);
-  EXPECT_EQ(removed.count, 2u);
-  EXPECT_EQ(removed.bytes, 10u);
+  EXPECT_EQ(removed.count, 3u);
+  EXPECT_EQ(removed.bytes, 15u);
   EXPECT_TRUE(fs::exists(folder / pages_file_name()));
+  EXPECT_TRUE(fs::exists(folder / pages_file_name(true)));
   EXPECT_TRUE(fs::exists(folder / "pages-format998.pages"));
 }
 
