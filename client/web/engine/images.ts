@@ -42,7 +42,7 @@ export class Images {
 const kNoiseMax = 8; // of a byte: some browsers change a few by 1
 
 /** Returns whether a canvas gives back what was drawn. Some browsers give noise instead, so that no page knows them again. */
-function givesPixels(context: OffscreenCanvasRenderingContext2D): boolean {
+export function givesPixels(context: OffscreenCanvasRenderingContext2D): boolean {
   Object.assign(context.canvas, { width: 4, height: 4 });
   const drawn = new ImageData(Uint8ClampedArray.from({ length: 64 }, (_, i) => (i % 4 === 3 ? 255 : (37 * i) % 256)), 4);
   context.putImageData(drawn, 0, 0);

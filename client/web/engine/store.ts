@@ -2,7 +2,9 @@
 
 import { FileReaderSync } from "./files";
 import { imageOf } from "./image";
+import { givesPixels } from "./images";
 import type { CoreMemory } from "./memory";
+import { smallPng } from "./small_png";
 
 const kPictureQuality = 0.85; // some 10 kB a picture: a browser keeps 5 MB for a page
 
@@ -42,9 +44,14 @@ export class Store {
   }
 
   private async keepPicture(key: string, rgb: Uint8Array, width: number, height: number): Promise<void> {
-    const canvas = new OffscreenCanvas(width, height);
-    canvas.getContext("2d")!.putImageData(imageOf(rgb, width, height), 0, 0);
-    const blob = await canvas.convertToBlob({ type: "image/jpeg", quality: kPictureQuality });
+    const context = new OffscreenCanvas(1, 1).getContext("2d", { willReadFrequently: true })!;
+    const blob = givesPixels(context) ? await jpegOf(context, rgb, width, height) : await smallPng(rgb, width, height);
     this.set(key, new FileReaderSync().readAsDataURL(blob));
   }
+}
+
+function jpegOf(context: OffscreenCanvasRenderingContext2D, rgb: Uint8Array, width: number, height: number): Promise<Blob> {
+  Object.assign(context.canvas, { width, height });
+  context.putImageData(imageOf(rgb, width, height), 0, 0);
+  return context.canvas.convertToBlob({ type: "image/jpeg", quality: kPictureQuality });
 }

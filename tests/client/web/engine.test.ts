@@ -46,7 +46,7 @@ class Engine {
   /** Waits until the engine has said this. */
   async said(message: string): Promise<void> {
     const has = (wanted: string) => window.heard.some((one) => one.message === wanted);
-    await this.visit.page.waitForFunction(has, message, { timeout: 20_000 }).catch(async () => {
+    await this.visit.page.waitForFunction(has, message).catch(async () => {
       assert.fail(`not '${message}' but ${JSON.stringify(await this.heard())}`);
     });
   }
@@ -150,19 +150,52 @@ test("PictureIsDecodedIfItHasTheSizeThatTheCoreKnows", () =>
     await engine.said("image 2: none");
   }));
 
+/** Runs in the worker: a canvas gives noise for pixels from then on. */
+function giveNoise(): void {
+  const { getImageData } = OffscreenCanvasRenderingContext2D.prototype;
+  OffscreenCanvasRenderingContext2D.prototype.getImageData = function (...place) {
+    const image = getImageData.apply(this, place);
+    image.data.forEach((_, i) => (image.data[i] = (97 * i) % 256));
+    return image;
+  };
+}
+
 test("NoPictureIsDecodedWhereTheBrowserGivesNoiseForPixels", () =>
   withEngine(async (engine) => {
     await engine.said("started with 'text of before'");
-    await engine.worker().evaluate(() => {
-      const { getImageData } = OffscreenCanvasRenderingContext2D.prototype;
-      OffscreenCanvasRenderingContext2D.prototype.getImageData = function (...place) {
-        const image = getImageData.apply(this, place);
-        image.data.forEach((_, i) => (image.data[i] = (97 * i) % 256));
-        return image;
-      };
-    });
+    await engine.worker().evaluate(giveNoise);
     await importPicture(engine);
     await engine.said("image 1: none");
+  }));
+
+/** Has the core keep a picture of two pixels, and returns how it begins and what a browser shows of it. */
+async function keptPicture(engine: Engine): Promise<[string, number[]]> {
+  await engine.line("picture");
+  await engine.visit.page.waitForFunction(() => window.heard.some((one) => one.kind === "keep" && one.key === "shown"));
+  const text = String((await engine.heard()).find((one) => one.key === "shown")!.text);
+  const shown = await engine.visit.page.evaluate(async (address) => {
+    const image = new Image();
+    image.src = address;
+    await image.decode();
+    const context = new OffscreenCanvas(2, 1).getContext("2d")!;
+    context.drawImage(image, 0, 0);
+    return [...context.getImageData(0, 0, 2, 1).data];
+  }, text);
+  return [text.slice(0, text.indexOf(";")), shown];
+}
+
+test("PictureOfASessionIsKeptSmall", () =>
+  withEngine(async (engine) => {
+    assert.equal((await keptPicture(engine))[0], "data:image/jpeg");
+  }));
+
+test("PictureOfASessionIsTrueWhereTheBrowserGivesNoiseForPixels", () =>
+  withEngine(async (engine) => {
+    await engine.said("started with 'text of before'");
+    await engine.worker().evaluate(giveNoise);
+    const [begin, shown] = await keptPicture(engine);
+    assert.equal(begin, "data:image/png");
+    assert.deepEqual(shown, [0x10, 0x20, 0x30, 255, 0xf0, 0x80, 0x08, 255]);
   }));
 
 test("DownloadComesWholeOrNotAtAll", () =>

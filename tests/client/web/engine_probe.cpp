@@ -24,6 +24,9 @@ void store_set(const char* key, size_t key_length, const char* text, size_t leng
 IMPORT(store_get) size_t store_get(const char* key, size_t length);
 IMPORT(store_take) void store_take(char* to);
 
+IMPORT(picture_keep)
+void picture_keep(const char* key, size_t key_length, const char* rgb, int width, int height);
+
 IMPORT(image_decode)
 int image_decode(const char* file, size_t bytes, int width, int height);
 
@@ -90,6 +93,7 @@ void obey(std::string_view line) {
   if (line == "download") download(true);
   if (line == "drop") download(false);
   if (line == "store") store_set("key", 3, "kept text", 9);
+  if (line == "picture") picture_keep("shown", 5, "\x10\x20\x30\xf0\x80\x08", 2, 1);
   if (line == "who") tell("drawn by the " DRAWN_BY);
   if (line == "trap") std::abort();
   wake();

@@ -15,6 +15,7 @@ const kPolicy =
   "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; " +
   "img-src 'self' blob: data:; connect-src 'self'; worker-src 'self'; font-src 'self'; " +
   "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+const kPatienceMs = 60_000; // of a loaded machine
 const kTypes: Record<string, string> = {
   html: "text/html",
   js: "text/javascript",
@@ -56,6 +57,7 @@ export class Visit {
   readonly console: string[] = [];
 
   constructor(readonly page: Page) {
+    page.setDefaultTimeout(kPatienceMs);
     page.on("console", (message) => this.console.push(message.text()));
     page.on("pageerror", (error) => this.console.push(String(error)));
   }
@@ -76,7 +78,7 @@ export class Visit {
   /** Waits until the engine has seen this line. */
   async sent(line: string): Promise<void> {
     const has = (wanted: string) => window.seen.some((one) => one.line === wanted);
-    await this.page.waitForFunction(has, line, { timeout: 10_000 }).catch(async () => {
+    await this.page.waitForFunction(has, line, { timeout: kPatienceMs }).catch(async () => {
       assert.fail(`no line '${line}' among ${JSON.stringify((await this.lines()).slice(-12))}`);
     });
   }
@@ -84,7 +86,7 @@ export class Visit {
   /** Waits until the engine has seen a line that begins so. */
   async sentSome(begin: string): Promise<void> {
     const has = (wanted: string) => window.seen.some((one) => one.line?.startsWith(wanted));
-    await this.page.waitForFunction(has, begin, { timeout: 10_000 });
+    await this.page.waitForFunction(has, begin, { timeout: kPatienceMs });
   }
 
   /** Waits until the engine has seen a message of this kind, and returns it. */
@@ -93,7 +95,7 @@ export class Visit {
       window.seen.find(
         (one) => one.kind === kind && Object.keys(part).every((key) => one[key] === part[key]),
       );
-    const found = await this.page.waitForFunction(find, { kind, part }, { timeout: 10_000 });
+    const found = await this.page.waitForFunction(find, { kind, part }, { timeout: kPatienceMs });
     return (await found.jsonValue()) as Seen;
   }
 
