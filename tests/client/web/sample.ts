@@ -32,8 +32,8 @@ export const session: Document = {
   unit: "mm",
   depth: 8,
   depths: [
-    { depth: 7, text: "details from 1.2 mm", possible: true },
-    { depth: 8, text: "details from 0.6 mm", possible: true },
+    { depth: 7, text: "depth 7: details from 1.2 mm", possible: true },
+    { depth: 8, text: "depth 8: details from 0.6 mm", possible: true },
     { depth: 9, text: "needs 14 GB more", possible: false },
   ],
   cellSize: 0.6,

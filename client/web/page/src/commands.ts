@@ -59,6 +59,8 @@ export const frontCommands: readonly FrontCommand[] = [
 
 /** Writes a number with at most six digits, as the core reads it. */
 export const number = (value: number) => String(Number(value.toPrecision(6)));
+/** A file's name without what systems refuse in one, and without spaces. */
+const fileName = (text: string) => text.trim().replace(/[\s/\\:*?"<>|]+/g, "-");
 const onOff = (on: boolean) => (on ? "on" : "off");
 const words = (...parts: (string | number)[]) =>
   parts.map((part) => (typeof part === "number" ? number(part) : part)).join(" ");
@@ -147,8 +149,8 @@ export const command = {
   cancelActivity: (activity: number) => words("activity cancel", activity),
   dismiss: (message: number) => words("message dismiss", message),
   exportMesh: (file: string, exact: boolean, record: boolean) =>
-    words("export", file.trim().replace(/\s+/g, "-"), ...(exact ? ["exact"] : []), ...(record ? ["record"] : [])),
-  picture: (file: string) => words("picture", file.trim().replace(/\s+/g, "-")),
+    words("export", fileName(file), ...(exact ? ["exact"] : []), ...(record ? ["record"] : [])),
+  picture: (file: string) => words("picture", fileName(file)),
   record: (on: boolean) => (on ? "record start" : "record stop"),
   cancel: () => "cancel",
 };

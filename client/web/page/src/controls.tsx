@@ -2,17 +2,18 @@
 
 import type { ComponentChildren } from "preact";
 import { useEffect, useId, useState } from "preact/hooks";
+import { keptTexts } from "./browser_store";
 import { command } from "./commands";
 import { useLink } from "./context";
 
 /** A part of a column that folds. */
 export function Section(props: { name: string; folded?: boolean; children: ComponentChildren }) {
   const key = "burnish.folded." + props.name;
-  const kept = localStorage.getItem(key);
+  const kept = keptTexts.get(key);
   const [folded, setFolded] = useState(kept === null ? !!props.folded : kept === "yes");
   const id = useId();
   const toggle = () => {
-    localStorage.setItem(key, folded ? "no" : "yes");
+    keptTexts.set(key, folded ? "no" : "yes");
     setFolded(!folded);
   };
   return (

@@ -1,6 +1,7 @@
 // The page's side of the engine's worker.
 
 import type { PublicationStart } from "../../engine/published/calls";
+import { keptTexts, textsOfTab } from "./browser_store";
 import { command } from "./commands";
 import type { Message, Snapshot } from "./snapshot";
 import type { Pictures, PointerMessage, ToPage, ToWorker } from "./protocol";
@@ -28,6 +29,7 @@ const kRefusalsMax = 5;
 const kNoEngine =
   "The engine did not load: the web server does not send assets/engine.js, or does not send it as JavaScript.";
 const kStrengthsMax = 3; // pictures of a strip
+const kName = "burnish.name";
 const kUser = "burnish.user";
 const kToken = "burnish.token";
 const kKept = "burnish.kept.";
@@ -55,6 +57,7 @@ export class EngineLink {
   /** The session that the next engine opens; empty: none, or it is open. */
   private wanted: string;
   private isJoining = false;
+  private hasSaidRoom = false;
 
   constructor(
     private readonly makePort: () => EnginePort,
@@ -124,13 +127,31 @@ export class EngineLink {
 
   /** Keeps user and token for this tab alone. */
   connect(user: string, token: string): void {
-    sessionStorage.setItem(kUser, user);
-    sessionStorage.setItem(kToken, token);
+    textsOfTab.set(kUser, user);
+    textsOfTab.set(kToken, token);
     this.post({ kind: "connect", user, token });
   }
 
   user(): string {
-    return sessionStorage.getItem(kUser) ?? "";
+    return textsOfTab.get(kUser) ?? "";
+  }
+
+  /** Whether the user has proved who they are in this tab. */
+  hasToken(): boolean {
+    return (textsOfTab.get(kToken) ?? "") !== "";
+  }
+
+  /** The name that stands beside the user's edits where no token tells it; empty: none. */
+  ownName(): string {
+    return keptTexts.get(kName) ?? "";
+  }
+
+  takeName(name: string): void {
+    if (name === "") keptTexts.remove(kName);
+    else keptTexts.set(kName, name);
+    textsOfTab.remove(kUser);
+    this.post({ kind: "connect", user: name, token: "" });
+    this.change({});
   }
 
   /** Dismisses a message. Negative numbers are refusals. */
@@ -140,9 +161,14 @@ export class EngineLink {
   }
 
   refuse(text: string): void {
+    this.tell(text, "error");
+  }
+
+  /** Says something as a message of the page's own. */
+  tell(text: string, severity: Message["severity"] = "info"): void {
     const refusal: Message = {
       number: -++this.refused,
-      severity: "error",
+      severity,
       text,
       time: Date.now() / 1000,
     };
@@ -162,7 +188,7 @@ export class EngineLink {
 
   /** Returns a text that an engine has kept; empty: none. */
   kept(key: string): string {
-    return localStorage.getItem(kKept + key) ?? "";
+    return keptTexts.get(kKept + key) ?? "";
   }
 
   /** Returns the address of a small picture of a strength; empty: it is not there. */
@@ -179,18 +205,23 @@ export class EngineLink {
 
   private keep(key: string, text: string): void {
     if (this.parts.publication) return;
-    try {
-      if (text === "") localStorage.removeItem(kKept + key);
-      else localStorage.setItem(kKept + key, text);
-    } catch {
+    if (text === "") keptTexts.remove(kKept + key);
+    else if (!keptTexts.set(kKept + key, text) && !this.hasSaidRoom) {
+      this.hasSaidRoom = true;
       this.refuse("the browser keeps no more for this page: its room is full, or it is not allowed");
     }
     this.change({});
   }
 
+  /** Opens a session once the server's list has it. Until then the start page is there. */
+  want(session: string): void {
+    this.wanted = session;
+  }
+
   private show(snapshot: Snapshot): void {
+    const isKept = this.parts.publication !== null || this.state.snapshot?.document;
     if (snapshot.document) this.wanted = "";
-    else if (this.wanted && this.awaitsSession(snapshot)) return;
+    else if (this.wanted && this.awaitsSession(snapshot) && isKept) return;
     this.change({ snapshot });
     if (this.isLost) this.goOnWhenSent();
   }
@@ -202,8 +233,13 @@ export class EngineLink {
     if (this.isJoining) return activities.length > 0;
     this.isJoining = library.sessions.some((one) => one.id === this.wanted);
     if (this.isJoining) this.send(command.joinSession(this.wanted));
-    else this.wanted = "";
+    else this.forgetWanted();
     return this.isJoining;
+  }
+
+  private forgetWanted(): void {
+    this.wanted = "";
+    this.refuse("the server has no such session any more");
   }
 
   private stop(message: string): void {
@@ -238,11 +274,11 @@ export class EngineLink {
 const kNothingKept = { user: "", token: "", kept: {} };
 
 function keptByBrowser(): typeof kNothingKept {
-  const keys = Object.keys(localStorage).filter((key) => key.startsWith(kKept));
+  const keys = keptTexts.keys(kKept);
   return {
-    user: sessionStorage.getItem(kUser) ?? "",
-    token: sessionStorage.getItem(kToken) ?? "",
-    kept: Object.fromEntries(keys.map((key) => [key.slice(kKept.length), localStorage.getItem(key)!])),
+    user: textsOfTab.get(kUser) ?? keptTexts.get(kName) ?? "",
+    token: textsOfTab.get(kToken) ?? "",
+    kept: Object.fromEntries(keys.map((key) => [key.slice(kKept.length), keptTexts.get(key)!])),
   };
 }
 

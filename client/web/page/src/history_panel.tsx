@@ -11,12 +11,17 @@ import { timeOf } from "./words";
 export function HistoryPanel({ document }: PanelProps) {
   const link = useLink();
   const disabled = isViewer(document);
+  const isNamed = document.people.some((one) => one.me && one.user !== "");
   return (
     <>
       <Row>
         <Button
           label="Undo"
-          hint="Takes back your last edit, not those of others."
+          hint={
+            isNamed
+              ? "Takes back your last edit, not those of others."
+              : "Takes back the last edit of anybody without a name. The start page asks for yours."
+          }
           disabled={disabled}
           onClick={() => link.send(command.undo())}
         />
@@ -55,6 +60,7 @@ function Entry({ document, entry }: { document: Document; entry: HistoryEntry })
           onClick={() => link.send(command.restore(entry.summary))}
         />
         <span class="accent">{entry.summary}</span>
+        <Author {...{ document, entry }} />
       </li>
     );
   return (
@@ -72,8 +78,15 @@ function Entry({ document, entry }: { document: Document; entry: HistoryEntry })
         />
         {entry.summary}
       </label>
+      <Author {...{ document, entry }} />
     </li>
   );
+}
+
+/** Names who made an edit, where several people did. */
+function Author({ document, entry }: { document: Document; entry: HistoryEntry }) {
+  if (document.history.every((one) => one.author === entry.author)) return null;
+  return <span class="faint author">{entry.author || "guest"}</span>;
 }
 
 function Checkpoint({ document }: PanelProps) {

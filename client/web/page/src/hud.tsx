@@ -2,6 +2,7 @@
 
 import { Figures } from "./controls";
 import type { ColourScale, Document } from "./snapshot";
+import { editsWait } from "./words";
 
 function chipOf(document: Document): [string, string] {
   if (document.link === "connecting") return ["connecting", "busy"];
@@ -62,7 +63,7 @@ export function ColourBar({ scale }: { scale: ColourScale }) {
 export function LostNote({ document }: { document: Document }) {
   if (document.link === "live") return null;
   const edits = document.unsavedEdits;
-  const kept = edits === 0 ? "" : `${edits} ${edits === 1 ? "edit waits" : "edits wait"} for the server.`;
+  const kept = edits === 0 ? "" : editsWait(edits);
   const text = {
     connecting: "Connecting…",
     lost: document.moving ? "The session moves to another server…" : "Connection lost. It comes back by itself.",

@@ -9,6 +9,8 @@ import type { Document } from "./snapshot";
 export interface PageActions {
   open(): void;
   exportMesh(): void;
+  chooseDepth(): void;
+  closeSession(): void;
   toggleLog(): void;
   toggleHelp(): void;
   closeOpen(): void;
@@ -85,6 +87,13 @@ export const keyActions: readonly KeyAction[] = [
   view("7", "top", "View from above"),
   view("Shift+7", "bottom", "View from below"),
   sends("orthographic", ["5"], "With or without perspective", ({ view }) => command.orthographic(!view.orthographic)),
+  {
+    name: "save",
+    keys: ["Ctrl+S"],
+    means: "Say whether all edits are saved",
+    session: true,
+    run: ({ link, document }) => document && tellSaved(link, document.unsavedEdits),
+  },
   { name: "log", keys: ["L"], means: "Show all messages", run: ({ page }) => page.toggleLog() },
   { name: "help", keys: ["?", "F1"], means: "Show the keys", run: ({ page }) => page.toggleHelp() },
   {
@@ -97,6 +106,12 @@ export const keyActions: readonly KeyAction[] = [
     },
   },
 ];
+
+/** Each edit is saved as it is made, so there is nothing to do. */
+function tellSaved(link: EngineLink, unsaved: number): void {
+  if (unsaved === 0) return link.tell("all edits are saved; Export writes a file");
+  link.tell(`${unsaved} ${unsaved === 1 ? "edit is" : "edits are"} not saved yet`, "warning");
+}
 
 /** Returns the keys of an action; the first is the user's own, if there is one. */
 export function keysOf(action: KeyAction): string[] {

@@ -56,14 +56,16 @@ export function ScanList({ library }: { library: Library }) {
           <tbody>
             {library.scans.map((scan) => (
               <tr key={scan.id}>
-                <td class="pictured">
-                  <ScanPicture scan={scan} library={library} />
-                  <Button
-                    label={scan.name}
-                    name={`Open ${scan.name}`}
-                    class="link"
-                    onClick={() => link.send(command.openScan(scan.id))}
-                  />
+                <td>
+                  <div class="pictured">
+                    <ScanPicture scan={scan} library={library} />
+                    <Button
+                      label={scan.name}
+                      name={`Open ${scan.name}`}
+                      class="link"
+                      onClick={() => link.send(command.openScan(scan.id))}
+                    />
+                  </div>
                 </td>
                 <td>{counted(scan.triangles)}</td>
                 <td class="roomy">{scan.closed ? "closed" : "open"}</td>

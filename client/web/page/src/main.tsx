@@ -4,6 +4,7 @@ import { render } from "preact";
 import { compileCore } from "../../engine/core_module";
 import { seemsToHaveCard } from "../../engine/drawing";
 import { readScan } from "../../engine/published/scan";
+import { sessionOfAddress } from "./address";
 import { EngineLink, type EnginePort } from "./engine_link";
 import { Page } from "./page";
 import type { Pictures } from "./protocol";
@@ -57,4 +58,8 @@ place.replaceChildren();
 const missing = missingParts();
 if (missing.length > 0) render(<Unsupported missing={missing} does={isPublication ? "show" : "edit"} />, place);
 else if (isPublication) void showPublication(address("scan"));
-else render(<Page link={new EngineLink(makeWorker, { ...cores, handedCore: "", publication: null })} />, place);
+else {
+  const link = new EngineLink(makeWorker, { ...cores, handedCore: "", publication: null });
+  link.want(sessionOfAddress());
+  render(<Page link={link} />, place);
+}

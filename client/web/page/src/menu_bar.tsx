@@ -2,6 +2,7 @@
 
 import { command } from "./commands";
 import { useLink } from "./context";
+import { Button } from "./controls";
 import { keyNamed, type PageActions } from "./key_actions";
 import { Menu, type MenuItem } from "./menu";
 import type { Document } from "./snapshot";
@@ -12,6 +13,8 @@ export interface Shown {
   log: boolean;
   help: boolean;
   exporting: boolean;
+  depths: boolean;
+  leaving: boolean;
 }
 
 export interface MenuBarProps {
@@ -20,6 +23,8 @@ export interface MenuBarProps {
   recording: boolean;
   figures: boolean;
   onFigures: (on: boolean) => void;
+  panels: boolean;
+  onPanels: (on: boolean) => void;
   onReplay: () => void;
 }
 
@@ -44,6 +49,14 @@ export function MenuBar(props: MenuBarProps) {
         <Menu name="View" items={viewItems(props, send)} />
         <Menu name="Help" items={[{ label: "Keys", key: keyNamed("help"), run: props.actions.toggleHelp }]} />
       </nav>
+      {document && (
+        <Button
+          label="Panels"
+          hint="Shows the panels beside the picture."
+          pressed={props.panels}
+          onClick={() => props.onPanels(!props.panels)}
+        />
+      )}
       {props.recording && <span class="bad">recording</span>}
       <span class="session-title faint" title={title}>
         {title}
@@ -56,13 +69,6 @@ type Send = (line: string) => () => void;
 
 function fileItems({ document, actions, recording, onReplay }: MenuBarProps, send: Send): MenuItem[] {
   const disabled = document === null;
-  const depths = (document?.depths ?? []).map(
-    (one): MenuItem => ({
-      label: `Open again at depth ${one.depth}: ${one.text}`,
-      disabled: !one.possible || one.depth === document?.depth,
-      run: send(command.depth(one.depth)),
-    }),
-  );
   return [
     { label: "Open…", key: keyNamed("open"), run: actions.open },
     { label: "Export…", key: keyNamed("export"), disabled, divided: true, run: actions.exportMesh },
@@ -78,8 +84,8 @@ function fileItems({ document, actions, recording, onReplay }: MenuBarProps, sen
       run: send(command.record(!recording)),
     },
     { label: "Replay a script…", run: onReplay },
-    ...depths.map((item, i) => ({ ...item, divided: i === 0 })),
-    { label: "Close session", disabled, divided: true, run: send(command.close()) },
+    { label: "Open again at depth…", disabled, divided: true, run: actions.chooseDepth },
+    { label: "Close session", disabled, run: actions.closeSession },
   ];
 }
 

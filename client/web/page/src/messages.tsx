@@ -1,5 +1,6 @@
 // Messages to the user: toasts over the picture, and a list of all.
 
+import { useState } from "preact/hooks";
 import { useLink } from "./context";
 import { Dialog } from "./dialog";
 import { Button } from "./controls";
@@ -10,14 +11,19 @@ const kToastsMax = 4;
 
 export function Toasts({ messages, activities }: { messages: Message[]; activities: Activity[] }) {
   const link = useLink();
+  const [left, setLeft] = useState<ReadonlySet<number>>(new Set());
   return (
     <div class="toasts">
       {activities.map((one) => (
         <Progress key={one.number} activity={one} />
       ))}
       <div role="log" aria-label="Messages" aria-live="polite">
-        {messages.slice(-kToastsMax).map((one) => (
-          <div key={one.number} class={"toast " + one.severity}>
+        {messages.filter((one) => !left.has(one.number)).slice(-kToastsMax).map((one) => (
+          <div
+            key={one.number}
+            class={"toast " + one.severity}
+            onAnimationEnd={() => setLeft((before) => new Set(before).add(one.number))}
+          >
             <span>{one.text}</span>
             <Button label="×" name={`Dismiss: ${one.text}`} onClick={() => link.dismiss(one.number)} />
           </div>
@@ -27,7 +33,7 @@ export function Toasts({ messages, activities }: { messages: Message[]; activiti
   );
 }
 
-function left(seconds: number): string {
+function timeLeft(seconds: number): string {
   if (seconds < 0) return "";
   return seconds < 90 ? `${Math.ceil(seconds)} s left` : `${Math.ceil(seconds / 60)} min left`;
 }
@@ -40,7 +46,7 @@ export function Progress({ activity }: { activity: Activity }) {
       <div>
         <div>{activity.title}</div>
         <progress aria-label={activity.title} max={1} value={activity.fraction} />
-        <div class="faint">{[activity.phase, left(activity.secondsLeft)].filter(Boolean).join(", ")}</div>
+        <div class="faint">{[activity.phase, timeLeft(activity.secondsLeft)].filter(Boolean).join(", ")}</div>
       </div>
       <Button
         label="Cancel"

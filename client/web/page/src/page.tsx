@@ -1,18 +1,22 @@
 // The whole page: menu, start page or session, and what lies over both.
 
 import { useEffect, useRef, useState } from "preact/hooks";
+import { useAddress } from "./address";
 import { EditColumn, ShowSections, useIsWide } from "./columns";
 import { command } from "./commands";
 import { LinkContext } from "./context";
 import { Button } from "./controls";
-import { Dialog } from "./dialog";
 import type { EngineLink } from "./engine_link";
+import { DepthDialog } from "./depth_dialog";
+import { Dialog } from "./dialog";
 import { ExportDialog } from "./export_dialog";
+import { importFiles } from "./given_files";
 import { ColourBar, Hud, LostNote } from "./hud";
 import type { PageActions } from "./key_actions";
 import { KeyHelp } from "./key_help";
 import { useKeyListeners } from "./key_listeners";
 import { handleKeyDown, handleKeyUp } from "./keys";
+import { LeaveQuestion } from "./leave_question";
 import { MenuBar, type Shown } from "./menu_bar";
 import { MessageLog, Toasts } from "./messages";
 import { OverPicture } from "./over_picture";
@@ -20,12 +24,14 @@ import { Picture } from "./picture";
 import { SectionPlot } from "./section_plot";
 import { StartPage, kMeshFiles } from "./start_page";
 
-const kClosed: Shown = { log: false, help: false, exporting: false };
+const kFilesBeside = ",.mtl,.png,.jpg,.jpeg,.bin"; // of an OBJ, a PLY or a glTF
+const kClosed: Shown = { log: false, help: false, exporting: false, depths: false, leaving: false };
 
 export function Page({ link }: { link: EngineLink }) {
   const [state, setState] = useState(link.state);
   const [shown, setShown] = useState<Shown>(kClosed);
   const [figures, setFigures] = useState(true);
+  const [panels, setPanels] = useState(true);
   const meshFile = useRef<HTMLInputElement>(null);
   const scriptFile = useRef<HTMLInputElement>(null);
   const isWide = useIsWide();
@@ -40,20 +46,25 @@ export function Page({ link }: { link: EngineLink }) {
   const actions: PageActions = {
     open: () => meshFile.current?.click(),
     exportMesh: () => setShown({ ...kClosed, exporting: true }),
+    chooseDepth: () => setShown({ ...kClosed, depths: true }),
+    closeSession: () => (document?.unsavedEdits ? setShown({ ...kClosed, leaving: true }) : link.send(command.close())),
     toggleLog: () => setShown({ ...kClosed, log: !shown.log }),
     toggleHelp: () => setShown({ ...kClosed, help: !shown.help }),
     closeOpen: () => setShown(kClosed),
   };
   useKeys(link, actions);
   useDrop(link);
+  useQuestionBeforeLeaving(link);
   const title = document?.session ?? opening;
+  useAddress(link, document?.sessionId ?? "");
   useTitle(title ? `${title} – Burnish` : "Burnish");
   const close = () => setShown(kClosed);
   const messages = [...(state.snapshot?.messages ?? []), ...state.refusals];
   return (
     <LinkContext.Provider value={link}>
       <MenuBar
-        {...{ document, actions, figures }}
+        {...{ document, actions, figures, panels }}
+        onPanels={setPanels}
         recording={state.snapshot?.recording ?? false}
         onFigures={(on) => {
           setFigures(on);
@@ -61,8 +72,8 @@ export function Page({ link }: { link: EngineLink }) {
         }}
         onReplay={() => scriptFile.current?.click()}
       />
-      <div class={hasPicture ? (isWide ? "session wide" : "session") : "no-session"}>
-        {document && (
+      <div class={hasPicture ? `session${isWide ? " wide" : ""}${panels || !document ? "" : " alone"}` : "no-session"}>
+        {document && panels && (
           <EditColumn
             document={document}
             presets={state.snapshot?.presets ?? []}
@@ -81,7 +92,7 @@ export function Page({ link }: { link: EngineLink }) {
           {document?.section && <SectionPlot section={document.section} ruler={document.over.rulerLength} />}
           {document && <LostNote document={document} />}
         </div>
-        {document && isWide && (
+        {document && isWide && panels && (
           <aside class="column right" aria-label="Show">
             <ShowSections document={document} figures={false} />
           </aside>
@@ -102,18 +113,21 @@ export function Page({ link }: { link: EngineLink }) {
       {shown.log && <MessageLog messages={messages} onClose={close} />}
       {shown.help && <KeyHelp onClose={close} />}
       {shown.exporting && document && <ExportDialog document={document} onClose={close} />}
+      {shown.depths && document && <DepthDialog document={document} onClose={close} />}
+      {shown.leaving && document && <LeaveQuestion edits={document.unsavedEdits} onClose={close} />}
       {state.stopped && <Stopped link={link} reason={state.stopped} />}
       <FileInput
         input={meshFile}
         name="Mesh file"
-        accept={kMeshFiles}
-        onFile={(file) => link.post({ kind: "import", file })}
+        accept={kMeshFiles + kFilesBeside}
+        several
+        onFiles={(files) => void importFiles(link, files)}
       />
       <FileInput
         input={scriptFile}
         name="Script file"
         accept=".script,.burnish,.txt"
-        onFile={(file) => link.post({ kind: "replay", file })}
+        onFiles={([file]) => file && link.post({ kind: "replay", file })}
       />
     </LinkContext.Provider>
   );
@@ -134,7 +148,8 @@ function FileInput(props: {
   input: preact.RefObject<HTMLInputElement | null>;
   name: string;
   accept: string;
-  onFile: (file: File) => void;
+  several?: boolean;
+  onFiles: (files: File[]) => void;
 }) {
   return (
     <input
@@ -143,9 +158,9 @@ function FileInput(props: {
       hidden
       aria-label={props.name}
       accept={props.accept}
+      multiple={props.several}
       onChange={(event) => {
-        const file = event.currentTarget.files?.[0];
-        if (file) props.onFile(file);
+        props.onFiles([...(event.currentTarget.files ?? [])]);
         event.currentTarget.value = "";
       }}
     />
@@ -172,14 +187,13 @@ function useKeys(link: EngineLink, page: PageActions): void {
   );
 }
 
-/** A mesh file that is dropped anywhere on the page is imported. */
+/** Mesh files that are dropped anywhere on the page are imported. */
 function useDrop(link: EngineLink): void {
   useEffect(() => {
     const over = (event: DragEvent) => event.preventDefault();
     const drop = (event: DragEvent) => {
       event.preventDefault();
-      const file = event.dataTransfer?.files[0];
-      if (file) link.post({ kind: "import", file });
+      void importFiles(link, [...(event.dataTransfer?.files ?? [])]);
     };
     window.addEventListener("dragover", over);
     window.addEventListener("drop", drop);
@@ -187,6 +201,17 @@ function useDrop(link: EngineLink): void {
       window.removeEventListener("dragover", over);
       window.removeEventListener("drop", drop);
     };
+  }, []);
+}
+
+/** Lets the browser ask before it closes the page over edits that wait for the server. */
+function useQuestionBeforeLeaving(link: EngineLink): void {
+  useEffect(() => {
+    const ask = (event: Event) => {
+      if (link.state.snapshot?.document?.unsavedEdits) event.preventDefault();
+    };
+    window.addEventListener("beforeunload", ask);
+    return () => window.removeEventListener("beforeunload", ask);
   }, []);
 }
 

@@ -55,10 +55,33 @@ function Server({ library }: { library: Library }) {
         {text}
       </p>
       {(library.wantsToken || asks) && <ConnectForm />}
+      {library.state === "connected" && !link.hasToken() && <OwnName />}
       {library.state === "failed" && !library.wantsToken && (
         <Button label="Try again" onClick={() => link.send(command.refresh())} />
       )}
     </section>
+  );
+}
+
+/** Asks for a name where no token tells it. */
+function OwnName() {
+  const link = useLink();
+  return (
+    <>
+      <label class="labelled" title="It stands beside your edits. Undo takes back edits of this name.">
+        <span>Your name</span>
+        <input
+          type="text"
+          autocomplete="nickname"
+          maxLength={100}
+          value={link.ownName()}
+          onChange={(event) => link.takeName(event.currentTarget.value.trim())}
+        />
+      </label>
+      {link.ownName() === "" && (
+        <p class="busy">Without a name you are a guest: Undo takes back the last edit of any guest.</p>
+      )}
+    </>
   );
 }
 

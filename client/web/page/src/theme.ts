@@ -1,11 +1,13 @@
 // Dark or light: as the browser says, until the user chooses.
 
+import { keptTexts } from "./browser_store";
+
 export type Theme = "system" | "dark" | "light";
 
 const kTheme = "burnish.theme";
 
 export function chosenTheme(): Theme {
-  const kept = localStorage.getItem(kTheme);
+  const kept = keptTexts.get(kTheme);
   return kept === "dark" || kept === "light" ? kept : "system";
 }
 
@@ -14,6 +16,6 @@ export function applyTheme(theme = chosenTheme()): void {
 }
 
 export function chooseTheme(theme: Theme): void {
-  localStorage.setItem(kTheme, theme);
+  keptTexts.set(kTheme, theme);
   applyTheme();
 }

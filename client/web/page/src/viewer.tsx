@@ -127,4 +127,4 @@ function useViewerKeys(link: EngineLink, document: Document | null): void {
 }
 
 const nothing = () => {};
-const kNoActions = { open: nothing, exportMesh: nothing, toggleLog: nothing, toggleHelp: nothing, closeOpen: nothing };
+const kNoActions = { open: nothing, exportMesh: nothing, chooseDepth: nothing, closeSession: nothing, toggleLog: nothing, toggleHelp: nothing, closeOpen: nothing };

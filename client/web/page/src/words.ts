@@ -12,6 +12,8 @@ export function counted(count: number): string {
   return count < 10_000_000 ? `${(count / 1e3).toFixed(0)} k` : `${(count / 1e6).toFixed(1)} M`;
 }
 
+export const editsWait = (edits: number) => `${edits} ${edits === 1 ? "edit waits" : "edits wait"} for the server.`;
+
 export function megabytes(bytes: number): string {
   return `${(bytes / 1e6).toFixed(bytes < 10_000_000 ? 1 : 0)} MB`;
 }

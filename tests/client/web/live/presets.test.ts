@@ -24,6 +24,7 @@ test("OwnPresetIsThereAfterAReloadAndInAnotherSession", () =>
   lab.visit(async (visit) => {
     await visit.openScan("tablet");
     await keep(visit, "0.25", "faint lines");
+    await visit.choose("File", "Close session");
     await visit.page.reload();
     await visit.openScan("tablet");
     await presets(visit).selectOption("faint lines");
@@ -66,7 +67,7 @@ test("OwnKeyIsThereAfterAReload", () =>
     await visit.page.keyboard.press("u");
     await dialog.getByRole("button", { name: /^Change U:/ }).waitFor();
     await visit.page.reload();
-    await visit.join(session);
+    await visit.settled();
     await visit.page.getByRole("slider", { name: "Gradient scale β", exact: true }).press("Home");
     const isEnabled = async () => (await lab.history(session)).map(({ enabled }) => enabled);
     await until(isEnabled, (all) => all.length === 1 && all[0] === true);
