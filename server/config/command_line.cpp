@@ -17,6 +17,7 @@ struct Flags {
   std::string port_file;
   std::optional<std::string> listen, socket, data, journal, backend, log_level, log_format, users,
       certificate, key, client_ca, metrics, web, fleet_name, advertise;
+  std::vector<std::string> web_hosts;
   std::optional<int64_t> threads, idle_exit;
   bool insecure = false;
   bool socket_user_only = false;
@@ -56,6 +57,9 @@ void add_flags(CLI::App& app, Flags& flags) {
       ->type_name("HOST:PORT");
   app.add_option("--web", flags.web, "Serve browsers here: the page, and calls over WebSocket")
       ->type_name("HOST:PORT");
+  app.add_option("--web-host", flags.web_hosts,
+                 "Another name of this machine that browsers may use; may be repeated")
+      ->type_name("NAME");
   app.add_option("--idle-exit", flags.idle_exit,
                  "End after this many seconds without a connection; 0, the default: never")
       ->type_name("SECONDS");
@@ -101,6 +105,7 @@ Result<CommandLine> read(const Flags& flags) {
   set(flags.client_ca, config.tls_client_ca);
   set(flags.metrics, config.metrics_listen);
   set(flags.web, config.web_listen);
+  config.web_hosts.insert(config.web_hosts.end(), flags.web_hosts.begin(), flags.web_hosts.end());
   set(flags.fleet_name, config.fleet_name);
   set(flags.advertise, config.fleet_advertise);
   if (flags.backend) {

@@ -20,6 +20,8 @@ struct WebGateway::State {
                 std::move(calls),
                 WebFiles(),
                 {}} {
+    for (std::string& name : names_of_this_machine())
+      gateway.rules.hosts.push_back(std::move(name));
     if (options.certificates)
       tls =
           std::make_unique<TlsContexts>(*options.certificates, options.client_certificate_required);

@@ -1,6 +1,7 @@
 // The web gateway and strangers: foreign pages, rebound names, wrong tokens, broken requests.
 
 #include <fstream>
+#include <unistd.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -96,6 +97,16 @@ TEST_F(WebRefusals, AConfiguredNameIsTaken) {
       folder_.write("server.toml", "[web]\nhosts = [\"burnish.lab\"]\n").string();
   const ServerProcess named({"--config", config, "--web", "127.0.0.1:0"});
   EXPECT_EQ(upgrade_status(web_address(named), {.host = "burnish.lab:7443"}), 101);
+  EXPECT_EQ(upgrade_status(web_address(named), {.host = "burnish.test:7443"}), 403);
+}
+
+TEST_F(WebRefusals, TheMachinesOwnNameAndAGivenOneAreTaken) {
+  char name[256] = {};
+  ASSERT_EQ(gethostname(name, sizeof name - 1), 0);
+  const ServerProcess named({"--web", "127.0.0.1:0", "--web-host", "burnish.lab"});
+  for (const char* host : {static_cast<const char*>(name), "burnish.lab"})
+    EXPECT_EQ(upgrade_status(web_address(named), {.host = std::string(host) + ":7443"}), 101)
+        << host;
   EXPECT_EQ(upgrade_status(web_address(named), {.host = "burnish.test:7443"}), 403);
 }
 

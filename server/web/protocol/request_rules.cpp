@@ -1,6 +1,8 @@
 #include "server/web/protocol/request_rules.h"
 
 #include <algorithm>
+#include <climits>
+#include <unistd.h>
 
 #include <arpa/inet.h>
 
@@ -43,6 +45,15 @@ Status refused(const char* what, std::string_view value, const std::string& why)
 
 }  // namespace
 
+std::vector<std::string> names_of_this_machine() {
+  std::string name(HOST_NAME_MAX + 1, '\0');
+  if (gethostname(name.data(), name.size()) != 0) return {};
+  name.resize(std::char_traits<char>::length(name.c_str()));
+  if (name.empty()) return {};
+  const std::string first = name.substr(0, name.find('.'));
+  return {name, first, first + ".local"};
+}
+
 Status check_host(const RequestRules& rules, std::string_view host,
                   std::string_view local_address) {
   const std::string name = name_of(host);
@@ -50,7 +61,8 @@ Status check_host(const RequestRules& rules, std::string_view host,
   if (!name.empty() && (is_loopback_name(name) || name == local_address ||
                         std::ranges::any_of(rules.hosts, is_listed)))
     return Status::ok();
-  return refused("the host", host, "is not a name of this server; web.hosts lists its names");
+  return refused("the host", host,
+                 "is not a name of this server; --web-host and web.hosts give it more");
 }
 
 Status check_origin(const RequestRules& rules, std::string_view origin, std::string_view host) {

@@ -11,9 +11,13 @@ namespace burnish {
 /// Which requests of browsers the gateway takes. A page of another origin must not reach a server
 /// in the user's own network with the user's rights.
 struct RequestRules {
-  std::vector<std::string> hosts;  ///< web.hosts, and the host of web.listen
+  std::vector<std::string> hosts;  ///< web.hosts, the host of web.listen, names of this machine
   bool is_tls = false;
 };
+
+/// Returns the host name of this machine, "scanner.lab", and its first part alone and with
+/// ".local".
+std::vector<std::string> names_of_this_machine();
 
 /// Checks the header Host, "burnish.lab:7443". Allowed are names of loopback, `local_address` (the
 /// numeric address that the client has connected to), and the rules' hosts. So a foreign name that

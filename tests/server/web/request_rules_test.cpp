@@ -1,5 +1,7 @@
 #include "server/web/protocol/request_rules.h"
 
+#include <unistd.h>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,6 +22,16 @@ TEST(RequestRules, NamesOfThisServerAreTaken) {
                            "[::1]", "burnish.lab", "BURNISH.lab:7443", "10.0.0.7:7443"})
     EXPECT_TRUE(takes_host(host)) << host;
   EXPECT_TRUE(takes_host("[fe80::7]:80", "fe80::7"));
+}
+
+TEST(RequestRules, NamesOfThisMachineBeginAsItsHostName) {
+  char name[256] = {};
+  ASSERT_EQ(gethostname(name, sizeof name - 1), 0);
+  const std::vector<std::string> names = names_of_this_machine();
+  ASSERT_FALSE(names.empty());
+  EXPECT_EQ(names.front(), name);
+  for (const std::string& each : names)
+    EXPECT_TRUE(check_host({names, false}, each + ":7443", "10.0.0.7").is_ok()) << each;
 }
 
 TEST(RequestRules, ANameThatWasReboundToThisMachineIsRefused) {
