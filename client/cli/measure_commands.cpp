@@ -35,7 +35,7 @@ Result<ScanInfo> scan_of(Connection& connection, const std::string& session) {
 void print(const SessionDeviation& measured, const ScanInfo& scan) {
   const Deviation& deviation = measured.deviation;
   const auto row = [&](const char* name, double length) {
-    std::printf("%-14s %s\n", name, length_text(length, scan.unit).c_str());
+    std::printf("%-14s %s\n", name, length_text(length, scan.unit, kDeviationDigits).c_str());
   };
   row("largest", deviation.max);
   row("mean", deviation.mean);

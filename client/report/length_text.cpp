@@ -1,12 +1,11 @@
 #include "client/report/length_text.h"
 
-#include <cstdio>
+#include "common/base/fixed_text.h"
 
 namespace burnish {
 
-std::string length_text(double length, const std::string& unit) {
-  char number[32];
-  std::snprintf(number, sizeof number, "%.3g", length);
+std::string length_text(double length, const std::string& unit, int digits) {
+  const std::string number = fixed_text(length, digits);
   return unit.empty() ? number : number + (" " + unit);
 }
 

@@ -115,11 +115,11 @@ std::string percent_text(double after, double before) {
 
 std::string deviation_facts(const Deviation& deviation, const ScanInfo& scan) {
   Facts facts("Deviation");
-  facts.add("Largest", length_text(deviation.max, scan.unit))
-      .add("Mean", length_text(deviation.mean, scan.unit))
-      .add("Root mean square", length_text(deviation.rms, scan.unit))
-      .add("Outwards at most", length_text(deviation.outward_max, scan.unit))
-      .add("Inwards at most", length_text(deviation.inward_max, scan.unit))
+  facts.add("Largest", length_text(deviation.max, scan.unit, kDeviationDigits))
+      .add("Mean", length_text(deviation.mean, scan.unit, kDeviationDigits))
+      .add("Root mean square", length_text(deviation.rms, scan.unit, kDeviationDigits))
+      .add("Outwards at most", length_text(deviation.outward_max, scan.unit, kDeviationDigits))
+      .add("Inwards at most", length_text(deviation.inward_max, scan.unit, kDeviationDigits))
       .add("Area", percent_text(deviation.area_after, deviation.area_before));
   if (scan.statistics.is_closed())
     facts.add("Volume", percent_text(deviation.volume_after, deviation.volume_before));

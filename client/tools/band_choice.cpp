@@ -1,8 +1,8 @@
 #include "client/tools/band_choice.h"
 
 #include <algorithm>
-#include <cstdio>
 
+#include "common/base/fixed_text.h"
 #include "common/base/ratio.h"
 #include "common/edit/wavelength.h"
 
@@ -19,14 +19,10 @@ Equaliser first_bands(double cell_size, double diagonal) {
 }
 
 std::string details_of(const Equaliser& equaliser, size_t number) {
-  char text[64];
-  const double size = equaliser.bands[number - 1].size;
-  if (number == 1) {
-    std::snprintf(text, sizeof text, "finer than %.3g", size);
-  } else {
-    std::snprintf(text, sizeof text, "%.3g to %.3g", equaliser.bands[number - 2].size, size);
-  }
-  return text;
+  constexpr int kDigits = 3;
+  const std::string size = fixed_text(equaliser.bands[number - 1].size, kDigits);
+  if (number == 1) return "finer than " + size;
+  return fixed_text(equaliser.bands[number - 2].size, kDigits) + " to " + size;
 }
 
 }  // namespace burnish

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "client/tools/presets.h"
+#include "common/base/fixed_text.h"
 #include "common/edit/wavelength.h"
 
 namespace burnish {
@@ -80,9 +80,8 @@ std::string_view strength_word(double strength) {
 }
 
 static std::string length_text(double length) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", length);
-  return text;
+  constexpr int kDigits = 3;
+  return fixed_text(length, kDigits);
 }
 
 static std::string change_text(double gain) {

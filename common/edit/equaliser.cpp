@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "common/base/fixed_text.h"
 #include "common/base/limits.h"
 #include "common/base/text_lines.h"
 
@@ -31,11 +32,9 @@ Result<Band> parse_band(std::string_view text) {
 std::string text_of(const Equaliser& equaliser) {
   if (equaliser.bands.empty()) return "no bands";
   std::string text = equaliser.bands.size() == 1 ? "band" : "bands";
-  for (const Band& band : equaliser.bands) {
-    char one[64];
-    std::snprintf(one, sizeof one, " %.3g:%.3g", band.size, band.gain);
-    text += one;
-  }
+  constexpr int kDigits = 3;
+  for (const Band& band : equaliser.bands)
+    text += " " + fixed_text(band.size, kDigits) + ":" + fixed_text(band.gain, kDigits);
   return text;
 }
 

@@ -23,7 +23,7 @@ void draw_ruler_overlay(const Workspace& workspace, const ImVec2& at, const ImVe
   if (places.size() < 2) return;
   list->AddLine(places[0], places[1], dark, em(0.2f));
   list->AddLine(places[0], places[1], colour, em(0.1f));
-  const std::string text = length_text(*ruler.length(), document.unit());
+  const std::string text = length_text(*ruler.length(), document.unit(), kRulerDigits);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const ImVec2 middle{(places[0].x + places[1].x) / 2 + em(0.5f),
                       (places[0].y + places[1].y) / 2 + em(0.5f)};

@@ -82,7 +82,7 @@ void SectionWindow::draw_controls(Workspace& workspace) {
   ImGui::TextColored(theme::kBad, "edited");
   if (const auto length = document.measuring().ruler.length()) {
     ImGui::SameLine();
-    faint_text("ruler %s", length_text(*length, document.unit()).c_str());
+    faint_text("ruler %s", length_text(*length, document.unit(), kRulerDigits).c_str());
   }
 }
 

@@ -54,7 +54,7 @@ void draw_response(const Document& document) {
 SliderChange draw_gain(const Document& document, size_t number, double& gain, MessageLog& log) {
   faint_text("%s", details_of(document.equaliser(), number).c_str());
   const std::string name = "Gain of band " + std::to_string(number);
-  return linear_slider({{name, kGainMin, std::max(kGainShown, gain)}, "%.2f", log}, gain);
+  return linear_slider({{name, kGainMin, std::max(kGainShown, gain)}, 0, log}, gain);
 }
 
 SliderChange draw_size(const Document& document, size_t number, double& size, MessageLog& log) {
@@ -64,7 +64,7 @@ SliderChange draw_size(const Document& document, size_t number, double& size, Me
   const double most = number < bands.size() ? bands[number].size / kBandRatioMin : range.most;
   const std::string name = "Size of band " + std::to_string(number);
   if (least >= most) return SliderChange::kStill;
-  return log_slider({{name, least, most}, "%.3g", log}, size);
+  return log_slider({{name, least, most}, 3, log}, size);
 }
 
 void draw_bands(Document& document, bool shows_sizes, MessageLog& log) {

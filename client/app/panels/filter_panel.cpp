@@ -10,6 +10,7 @@
 #include "client/app/widgets/value_slider.h"
 #include "client/tools/colours.h"
 #include "client/tools/own_presets.h"
+#include "common/base/fixed_text.h"
 #include "common/edit/wavelength.h"
 
 namespace burnish {
@@ -50,7 +51,7 @@ void FilterPanel::draw_strength(Workspace& workspace, const PresetInForce& shown
   faint_text("%s of the preset", std::string(strength_word(strength)).c_str());
   hint((effect_of(shown.preset, document.lengths()) + ", at full strength.").c_str());
   const SliderChange change =
-      linear_slider({{"Strength of the preset", 0, 1}, "%.2f", workspace.log}, strength);
+      linear_slider({{"Strength of the preset", 0, 1}, 0, workspace.log}, strength);
   if (change != SliderChange::kStill) document.preview_strength(shown.preset, strength);
   if (change == SliderChange::kDone) document.commit_strength(shown.preset);
   pictures_.draw(workspace, shown);
@@ -115,7 +116,7 @@ static void draw_fidelity(Document& document, MessageLog& log) {
   ImGui::TextUnformatted("Wavelength");
   ImGui::SameLine();
   CurveEditor& curve = document.curve();
-  faint_text("fidelity α %.3g", curve.fidelity());
+  faint_text("fidelity α %s", fixed_text(curve.fidelity(), 3).c_str());
   hint(
       "In the scan's units. Waves of this length on the surface change by half, shorter ones more; "
       "longer waves stay. The slider begins at two cells of the grid.");
@@ -125,7 +126,7 @@ static void draw_fidelity(Document& document, MessageLog& log) {
   double wavelength = wavelength_of(curve.fidelity());
   const TypedValue limits{"Wavelength", wavelength_of(curve.alpha_max()),
                           wavelength_of(kFidelityMin)};
-  const SliderChange change = log_slider({limits, "%.3g", log}, wavelength);
+  const SliderChange change = log_slider({limits, 3, log}, wavelength);
   if (change != SliderChange::kStill) {
     curve.set_fidelity(alpha_of_wavelength(document.length_unit(), wavelength));
     document.preview_curve();

@@ -58,9 +58,7 @@ class DrawnWidgets : public Widgets {
 
   SliderChange slider(const Slider& slider, double& value) override {
     if (slider.has_title) draw_title(slider);
-    const std::string format =
-        slider.digits == 0 ? "%.2f" : "%." + std::to_string(slider.digits) + "g";
-    const ValueField field{{slider.name, slider.low, slider.high}, format.c_str(), log_};
+    const ValueField field{{slider.name, slider.low, slider.high}, slider.digits, log_};
     if (slider.scale == SliderScale::kLinear) return linear_slider(field, value);
     if (slider.scale == SliderScale::kLogarithmic) return log_slider(field, value);
     return beta_slider(slider.name, value, to_imgui(blue_to_red(signed_part_of_beta(value))), log_);

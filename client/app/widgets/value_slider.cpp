@@ -7,6 +7,7 @@
 
 #include "client/app/widgets/places.h"
 #include "client/app/widgets/theme.h"
+#include "common/base/fixed_text.h"
 #include "common/base/limits.h"
 
 namespace burnish {
@@ -20,9 +21,10 @@ struct Typing {
   std::string text;
 };
 
-std::string formatted(const char* format, double value) {
+std::string number_text(int digits, double value) {
+  if (digits > 0) return fixed_text(value, digits);
   char text[32];
-  std::snprintf(text, sizeof text, format, value);
+  std::snprintf(text, sizeof text, "%.2f", value);
   return text;
 }
 
@@ -40,7 +42,7 @@ bool take_typed(const ValueField& field, const std::string& text, double& value)
 bool draw_field(const ValueField& field, double& value) {
   static Typing typing;  // a user types into one field at a time
   const ImGuiID id = ImGui::GetID("##value");
-  const std::string before = formatted(field.format, value);
+  const std::string before = number_text(field.digits, value);
   std::string text = typing.field == id ? typing.text : before;
   ImGui::InputText("##value", &text, ImGuiInputTextFlags_AutoSelectAll);
   note_place(field.limits.name + " as a number");
@@ -87,7 +89,7 @@ SliderChange beta_slider(const std::string& name, double& beta, const ImVec4& co
     return 0.5 + 0.5 * std::sqrt((value - 1) / (kBetaMax - 1));
   };
   const SliderChange change =
-      slider({{name, kBetaMin, kBetaMax}, "%.3g", log}, beta, to_value, to_place);
+      slider({{name, kBetaMin, kBetaMax}, 3, log}, beta, to_value, to_place);
   ImGui::PopStyleColor(2);
   return change;
 }

@@ -11,9 +11,9 @@ namespace burnish {
 
 /// A value with a slider and a field to type into.
 struct ValueField {
-  TypedValue limits;   ///< the name is unique in its panel
-  const char* format;  ///< for printf
-  MessageLog& log;     ///< hears of text that is refused, and of limits
+  TypedValue limits;  ///< the name is unique in its panel
+  int digits;         ///< of the number, as fixed_text() has them; 0: two decimals
+  MessageLog& log;    ///< hears of text that is refused, and of limits
 };
 
 /// Sliders with a field for the value to the right, as wide as there is room. Draws the slider of

@@ -52,11 +52,12 @@ std::vector<Figure> deviation_figures(const Document& document) {
   if (!measured) return {};
   const Deviation& deviation = measured->deviation;
   const std::string& unit = document.unit();
-  std::vector<Figure> figures = {{"largest move", length_text(deviation.max, unit)},
-                                 {"mean", length_text(deviation.mean, unit)},
-                                 {"rms", length_text(deviation.rms, unit)},
-                                 {"outwards", length_text(deviation.outward_max, unit)},
-                                 {"inwards", length_text(deviation.inward_max, unit)}};
+  std::vector<Figure> figures = {
+      {"largest move", length_text(deviation.max, unit, kDeviationDigits)},
+      {"mean", length_text(deviation.mean, unit, kDeviationDigits)},
+      {"rms", length_text(deviation.rms, unit, kDeviationDigits)},
+      {"outwards", length_text(deviation.outward_max, unit, kDeviationDigits)},
+      {"inwards", length_text(deviation.inward_max, unit, kDeviationDigits)}};
   if (document.is_closed() && deviation.volume_before != 0)
     figures.push_back(
         {"volume",
@@ -90,8 +91,9 @@ std::vector<Figure> ruler_figures(const Document& document) {
   const Ruler& ruler = document.measuring().ruler;
   const auto length = ruler.length();
   if (!length) return {};
-  return {{"distance", length_text(*length, document.unit())},
-          {"on the original", length_text(*ruler.original_length(), document.unit())}};
+  return {
+      {"distance", length_text(*length, document.unit(), kRulerDigits)},
+      {"on the original", length_text(*ruler.original_length(), document.unit(), kRulerDigits)}};
 }
 
 }  // namespace burnish

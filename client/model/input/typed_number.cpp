@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "common/base/fixed_text.h"
 #include "common/base/text_lines.h"
 
 namespace burnish {
@@ -15,9 +15,8 @@ static std::string trimmed(const std::string& text) {
 }
 
 static std::string short_number(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", number);
-  return text;
+  constexpr int kDigits = 3;
+  return fixed_text(number, kDigits);
 }
 
 Result<TypedNumber> read_typed_number(const TypedValue& value, const std::string& text) {

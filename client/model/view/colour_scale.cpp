@@ -1,7 +1,6 @@
 #include "client/model/view/colour_scale.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "client/report/length_text.h"
 #include "client/tools/colours.h"
@@ -11,9 +10,7 @@ namespace burnish {
 namespace {
 
 std::string short_number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
+  return length_text(value, "");
 }
 
 ColourScale beta_scale(const SurfaceHit* hit) {

@@ -30,7 +30,8 @@ void write_over(const Workspace& workspace, JsonWriter& json) {
   for (const Ruler::End& end : ruler.ends())
     write_place(pixel_of(viewport.camera, viewport.size(), end.edited), json);
   const auto length = ruler.length();
-  json.close_list().text("rulerLength", length ? length_text(*length, document.unit()) : "");
+  json.close_list().text("rulerLength",
+                         length ? length_text(*length, document.unit(), kRulerDigits) : "");
   json.close();
 }
 

@@ -96,9 +96,12 @@ TEST(ProcessingRecord, IsWrittenAsItsEndingSays) {
   EXPECT_THAT(check_record_name("record.pdf").message(), HasSubstr("record.pdf"));
 }
 
-TEST(LengthText, HasThreeDigitsAndItsUnit) {
+TEST(LengthText, HasAsManyDigitsAsItIsMeasuredAndItsUnit) {
   EXPECT_EQ(length_text(0.0123456, "mm"), "0.0123 mm");
   EXPECT_EQ(length_text(2, ""), "2");
+  EXPECT_EQ(length_text(1513.2, "m"), "1513 m");
+  EXPECT_EQ(length_text(44.1456, "m", kDeviationDigits), "44.15 m");
+  EXPECT_EQ(length_text(4389.236, "m", kRulerDigits), "4389.2 m");
 }
 
 }  // namespace

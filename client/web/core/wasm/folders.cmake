@@ -42,7 +42,7 @@ function(core_folder folder)
   set_property(GLOBAL APPEND PROPERTY core_folders ${name})
 endfunction()
 
-core_folder(common/base ONLY base64 check status text text_lines)
+core_folder(common/base ONLY base64 check fixed_text status text text_lines)
 core_folder(common/mesh ONLY mesh_format srgb triangle_mesh
   statistics/statistics statistics/thin_walls textures/texel_change)
 core_folder(common/mesh/rewrite ONLY left_out/left_out_text)
