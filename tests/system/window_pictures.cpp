@@ -172,7 +172,6 @@ void draw_dialogs(Studio& studio) {
   studio.key({"Control_L", "e"});
   studio.move(640, 600);
   studio.save_area("export", "Export");
-  studio.click_on("Export/Exact");
   studio.click_on("Export/Export");
   const Image exporting = studio.crop(studio.toasts());
   studio.rest();

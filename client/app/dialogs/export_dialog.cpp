@@ -8,7 +8,7 @@
 #include "client/app/widgets/places.h"
 #include "client/app/widgets/theme.h"
 #include "client/model/files/typed_path.h"
-#include "common/mesh/mesh_format.h"
+#include "common/mesh/export_formats.h"
 
 namespace burnish {
 
@@ -18,7 +18,16 @@ static std::string suggested_path(const Workspace& workspace) {
   std::error_code error;
   const auto& folders = workspace.preferences.folders;
   const auto folder = folders.empty() ? std::filesystem::current_path(error) : folders.front();
-  return (folder / (workspace.document()->scan().scan.name + "-edited.ply")).string();
+  const ScanInfo& scan = workspace.document()->scan().scan;
+  const std::string extension = extension_of(export_formats(scan.format).front());
+  return (folder / (scan.name + "-edited" + extension)).string();
+}
+
+static std::string title_of_path(const ScanInfo& scan) {
+  std::string text;
+  for (const MeshFormat format : export_formats(scan.format))
+    text += (text.empty() ? "File (" : ", ") + extension_of(format);
+  return text + ")";
 }
 
 void ExportDialog::open(const std::filesystem::path& file) {
@@ -40,7 +49,7 @@ void ExportDialog::draw(Workspace& workspace) {
   begin_place_group("Export");
   open_ = ImGui::BeginPopupModal(kExportTitle, nullptr, ImGuiWindowFlags_AlwaysAutoResize);
   if (!open_) return;
-  ImGui::TextUnformatted("File (.ply, .obj, .stl, .glb or .zip)");
+  ImGui::TextUnformatted(title_of_path(workspace.document()->scan().scan).c_str());
   ImGui::SetNextItemWidth(em(32));
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   bool wanted = ImGui::InputText(

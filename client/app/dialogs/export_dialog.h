@@ -31,7 +31,7 @@ class ExportDialog : public Panel {
   std::string path_;
   bool is_path_chosen_ = false;  // by a file dialog
   bool asks_ = false;            // whether to replace the file
-  bool exact_ = false;
+  bool exact_ = true;
   bool with_record_ = true;
 };
 

@@ -4,6 +4,7 @@
 #include "client/model/documents/depth_choice.h"
 #include "client/model/documents/figures.h"
 #include "client/web/core/snapshot.h"
+#include "common/mesh/export_formats.h"
 
 namespace burnish {
 
@@ -39,6 +40,9 @@ void write_scan_facts(const Workspace& workspace, JsonWriter& json) {
   write_point("low", document.box().min(), json);
   write_point("high", document.box().max(), json);
   json.close();
+  json.key("formats").open_list();
+  for (const MeshFormat format : export_formats(scan.format)) json.text(mesh_format_name(format));
+  json.close_list();
   json.flag("closed", document.is_closed()).flag("hasColours", document.has_colours());
 }
 

@@ -40,6 +40,7 @@ export const session: Document = {
   diagonal: 150,
   lengthUnit: 43,
   box: { low: [-50, -50, -5], high: [50, 50, 5] },
+  formats: ["zip", "ply", "obj", "stl", "glb"],
   closed: false,
   hasColours: true,
   link: "live",

@@ -142,11 +142,11 @@ test("MenuExportsRecordsReplaysAndCloses", () =>
     };
     await choose("File", "Export…");
     const dialog = visit.page.getByRole("dialog", { name: "Export" });
-    await dialog.getByRole("textbox", { name: "Name of the file" }).fill("my tablet");
+    assert.equal(await dialog.getByRole("combobox", { name: "Format" }).inputValue(), "zip", "that of the scan");
+    await dialog.getByRole("textbox", { name: "Name of the file" }).fill("my tablet A/B");
     await dialog.getByRole("combobox", { name: "Format" }).selectOption(".obj");
-    await dialog.getByRole("checkbox", { name: "Exact" }).click();
     await dialog.getByRole("button", { name: "Export" }).click();
-    await visit.sent("export my-tablet.obj exact");
+    await visit.sent("export my-tablet-A-B.obj exact");
     await choose("File", "Record a script");
     await visit.sent("record start");
     await visit.page.getByText("recording", { exact: true }).waitFor();
@@ -154,11 +154,130 @@ test("MenuExportsRecordsReplaysAndCloses", () =>
     await choose("File", "Replay a script…");
     await (await chooser).setFiles({ name: "a.burnish", mimeType: "", buffer: Buffer.from("undo\n") });
     await visit.message("replay", { name: "a.burnish" });
-    await choose("File", "Open again at depth 7");
+    await choose("File", "Open again at depth…");
+    await visit.page.getByRole("button", { name: "Depth 7: details from 1.2 mm" }).click();
     await visit.sent("depth 7");
     await choose("File", "Close session");
     await visit.sent("close");
     await visit.page.getByRole("heading", { name: "Recent" }).waitFor();
+  }));
+
+test("DepthsAreOfferedInADialog", () =>
+  bench.visitSession(async (visit) => {
+    await visit.page.getByRole("button", { name: "File", exact: true }).click();
+    await visit.page.getByRole("menuitem", { name: "Open again at depth…" }).click();
+    const dialog = visit.page.getByRole("dialog", { name: "Open again at depth" });
+    assert.ok(await dialog.getByRole("button", { name: "Depth 8: details from 0.6 mm" }).isDisabled(), "it is open");
+    assert.ok(await dialog.getByRole("button", { name: "Depth 9: needs 14 GB more" }).isDisabled());
+    await dialog.getByRole("button", { name: "Cancel" }).click();
+    await dialog.waitFor({ state: "detached" });
+  }));
+
+test("PanelsGiveTheirRoomToThePictureOfATablet", () =>
+  bench.visitSession(
+    async (visit) => {
+      const picture = visit.page.getByRole("img", { name: "Picture of tablet" });
+      const before = (await picture.boundingBox())!.width;
+      const panels = visit.page.getByRole("button", { name: "Panels" });
+      await panels.click();
+      await visit.page.getByRole("region", { name: "Filter" }).waitFor({ state: "detached" });
+      const width = (await picture.boundingBox())!.width;
+      assert.equal(width, 768);
+      await visit.message("resize", { width });
+      await panels.click();
+      await visit.page.getByRole("region", { name: "Filter" }).waitFor();
+      assert.equal((await picture.boundingBox())!.width, before);
+    },
+    { viewport: { width: 768, height: 1024 } },
+  ));
+
+test("NumbersOfThreeDigitsFitTheirFields", () =>
+  bench.visitSession(async (visit) => {
+    const cut = await visit.page.evaluate(() => {
+      const fields = [...document.querySelectorAll<HTMLInputElement>(".slider > .number")];
+      fields[0]!.value = "0.00469";
+      return fields[0]!.scrollWidth - fields[0]!.clientWidth;
+    });
+    assert.equal(cut, 0);
+  }));
+
+test("CtrlSSaysWhetherAllIsSaved", () =>
+  bench.visitSession(async (visit) => {
+    await visit.page.keyboard.press("Control+s");
+    await visit.page.getByText("all edits are saved").waitFor();
+    await visit.document({ unsavedEdits: 2 });
+    await visit.document({ session: "with edits" });
+    await visit.page.waitForFunction(() => document.title.startsWith("with edits"));
+    await visit.page.keyboard.press("Control+s");
+    await visit.page.getByText("2 edits are not saved yet").waitFor();
+  }));
+
+/** Returns whether the browser would ask before it closes the page. */
+const asksBeforeItLeaves = (visit: Visit) =>
+  visit.page.evaluate(() => {
+    const event = new Event("beforeunload", { cancelable: true });
+    window.dispatchEvent(event);
+    return event.defaultPrevented;
+  });
+
+test("BrowserAsksBeforeItLeavesEditsThatWait", () =>
+  bench.visitSession(async (visit) => {
+    assert.equal(await asksBeforeItLeaves(visit), false);
+    await visit.document({ link: "lost", unsavedEdits: 2 });
+    await visit.page.getByText("2 edits wait for the server.").waitFor();
+    assert.equal(await asksBeforeItLeaves(visit), true);
+  }));
+
+test("SessionIsClosedOverEditsThatWaitOnlyAfterAQuestion", () =>
+  bench.visitSession(async (visit) => {
+    const close = async () => {
+      await visit.page.getByRole("button", { name: "File", exact: true }).click();
+      await visit.page.getByRole("menuitem", { name: "Close session" }).click();
+    };
+    await visit.document({ link: "lost", unsavedEdits: 2 });
+    await visit.page.getByRole("alert").getByText("2 edits wait for the server.").waitFor();
+    await close();
+    const question = visit.page.getByRole("dialog", { name: "Edits are not saved yet" });
+    await question.getByText("2 edits wait for the server.").waitFor();
+    await question.getByRole("button", { name: "Stay" }).click();
+    await question.waitFor({ state: "detached" });
+    assert.ok(!(await visit.lines()).includes("close"));
+    await close();
+    await question.getByRole("button", { name: "Discard and close" }).click();
+    await visit.sent("close");
+  }));
+
+test("AddressNamesTheSession", () =>
+  bench.visitSession(async (visit) => {
+    await visit.page.waitForURL(/#session=s1$/);
+    await visit.forget();
+    await visit.page.reload();
+    await visit.sent("session join s1");
+    await visit.page.getByRole("region", { name: "Filter" }).waitFor();
+    await visit.page.goBack();
+    await visit.page.getByRole("heading", { name: "Recent" }).waitFor();
+    assert.ok((await visit.lines()).includes("close"));
+    await visit.page.goForward();
+    await visit.page.getByRole("region", { name: "Filter" }).waitFor();
+    assert.equal(new URL(visit.page.url()).hash, "#session=s1");
+  }));
+
+test("BackStaysWhileEditsWait", () =>
+  bench.visitSession(async (visit) => {
+    await visit.document({ link: "lost", unsavedEdits: 1 });
+    await visit.page.getByText("1 edit waits for the server.").waitFor();
+    await visit.page.goBack();
+    await visit.page.getByText("the session stays open").waitFor();
+    await visit.page.waitForURL(/#session=s1$/);
+    assert.ok(!(await visit.lines()).includes("close"));
+  }));
+
+test("AddressOfASessionThatIsGoneLeadsToTheStartPage", () =>
+  bench.visit(async (visit) => {
+    await visit.page.goto(visit.page.url() + "#session=gone");
+    await visit.page.reload();
+    await visit.page.getByText("the server has no such session any more").waitFor();
+    await visit.page.getByRole("button", { name: "Join inscription" }).waitFor();
   }));
 
 /** Lets the engine lose its context, and returns how the next one is started. */
@@ -275,6 +394,16 @@ test("LostConnectionIsSaidAndGoesAway", () =>
     await visit.page.getByRole("alert").getByText("2 edits wait for the server.").waitFor();
     await visit.document({ link: "live", linkReason: "", unsavedEdits: 0 });
     await visit.page.getByRole("alert").waitFor({ state: "detached" });
+  }));
+
+test("NoteOfALostConnectionLetsStrokesThrough", () =>
+  bench.visitSession(async (visit) => {
+    await visit.document({ link: "lost", linkReason: "the socket closed" });
+    const box = (await visit.page.getByRole("alert").boundingBox())!;
+    await visit.page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await visit.page.mouse.down();
+    await visit.message("pointer", { what: "press" });
+    await visit.page.mouse.up();
   }));
 
 test("RefusedCommandIsSaidInTheCoresWords", () =>

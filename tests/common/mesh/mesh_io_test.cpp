@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/mesh/export_formats.h"
 #include "tests/common/temporary_folder.h"
 
 namespace burnish {
@@ -34,6 +35,13 @@ TEST(MeshIo, RefusesOtherExtensionsWithTheChoices) {
     ASSERT_FALSE(format.is_ok());
     EXPECT_THAT(format.status().message(), AllOf(HasSubstr(path), HasSubstr(".ply, .obj, .stl")));
   }
+}
+
+TEST(MeshIo, ExportFormatsBeginWithThatOfTheScanIfItIsWritten) {
+  using enum MeshFormat;
+  EXPECT_THAT(export_formats(kStl), testing::ElementsAre(kStl, kPly, kObj, kGlb));
+  EXPECT_THAT(export_formats(kZip), testing::ElementsAre(kZip, kPly, kObj, kStl, kGlb));
+  EXPECT_THAT(export_formats(kOff), testing::ElementsAre(kPly, kObj, kStl, kGlb));
 }
 
 TEST(MeshIo, ReadsFilesAndNamesThemInMessages) {

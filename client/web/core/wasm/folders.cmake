@@ -43,7 +43,7 @@ function(core_folder folder)
 endfunction()
 
 core_folder(common/base ONLY base64 check fixed_text status text text_lines)
-core_folder(common/mesh ONLY mesh_format srgb triangle_mesh
+core_folder(common/mesh ONLY export_formats mesh_format srgb triangle_mesh
   statistics/statistics statistics/thin_walls textures/texel_change)
 core_folder(common/mesh/rewrite ONLY left_out/left_out_text)
 core_folder(common/grid SPEED -Os)

@@ -6,13 +6,12 @@ import { useLink } from "./context";
 import { Button, Check, Choice, Row } from "./controls";
 import { Dialog } from "./dialog";
 import type { Document } from "./snapshot";
-import { kMeshKinds } from "./start_page";
 
 export function ExportDialog({ document, onClose }: { document: Document; onClose: () => void }) {
   const link = useLink();
   const [name, setName] = useState(document.session);
-  const [kind, setKind] = useState<(typeof kMeshKinds)[number]>("ply");
-  const [exact, setExact] = useState(false);
+  const [kind, setKind] = useState(document.formats[0] ?? "ply");
+  const [exact, setExact] = useState(true);
   const [record, setRecord] = useState(false);
   const take = () => {
     link.send(command.exportMesh(`${name.trim()}.${kind}`, exact, record));
@@ -33,7 +32,7 @@ export function ExportDialog({ document, onClose }: { document: Document; onClos
         name="Format"
         labelled
         value={kind}
-        choices={kMeshKinds.map((one) => [one, "." + one] as const)}
+        choices={document.formats.map((one) => [one, "." + one] as const)}
         onChange={setKind}
       />
       <Check

@@ -293,6 +293,8 @@ export interface Document {
   box: { low: [number, number, number]; high: [number, number, number] };
   closed: boolean;
   hasColours: boolean;
+  /** In which the scan can be exported, its own first: "ply". */
+  formats: string[];
   link: "connecting" | "live" | "lost" | "ended";
   linkReason: string;
   /** "lost" is short: the session goes on at another server. */

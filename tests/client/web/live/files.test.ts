@@ -16,7 +16,6 @@ async function exportBy(visit: Visit, format: string): Promise<{ name: string; b
   await visit.choose("File", "Export…");
   const dialog = visit.page.getByRole("dialog", { name: "Export" });
   await dialog.getByRole("combobox", { name: "Format" }).selectOption(format);
-  await dialog.getByRole("checkbox", { name: "Exact" }).click();
   const download = visit.page.waitForEvent("download");
   await dialog.getByRole("button", { name: "Export" }).click();
   const file = await download;

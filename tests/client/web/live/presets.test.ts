@@ -25,6 +25,7 @@ test("OwnPresetIsThereAfterAReloadAndInAnotherSession", () =>
     await visit.openScan("tablet");
     await keep(visit, "0.25", "faint lines");
     await visit.choose("File", "Close session");
+    await visit.page.getByRole("heading", { name: "Recent" }).waitFor();
     await visit.page.reload();
     await visit.openScan("tablet");
     await presets(visit).selectOption("faint lines");
