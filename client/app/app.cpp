@@ -261,6 +261,7 @@ void App::handle_key(const std::string& key) {
 void App::do_action(Action action) {
   if (action == Action::kOpen) return ask_for_scan();
   if (action == Action::kHelp) shows_help_ = !shows_help_;
+  if (action == Action::kQuit) return window_->close();
   if (action == Action::kLog) shows_log_ = !shows_log_;
   if (action == Action::kCancel) {
     const bool was_busy =
@@ -270,6 +271,7 @@ void App::do_action(Action action) {
   if (workspace_->raw() && action == Action::kFrameAll) workspace_->viewport.go_home();
   if (!workspace_->document()) return;
   if (action == Action::kExport) export_dialog_.open();
+  if (action == Action::kSave) return workspace_->tell_saved();
   if (action == Action::kScreenshot) return take_screenshot(picture_name());
   do_document_action(action, *workspace_);
 }

@@ -335,7 +335,7 @@ void App::draw_menu_bar() {
     draw_depth_menu();
     ImGui::Separator();
     if (noted("Preferences", ImGui::MenuItem("Preferences…"))) preferences_dialog_.open();
-    if (ImGui::MenuItem("Quit")) window_->close();
+    item("Quit", Action::kQuit);
     ImGui::EndMenu();
   }
   if (noted("Edit", ImGui::BeginMenu("Edit", workspace.document() != nullptr))) {

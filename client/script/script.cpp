@@ -23,7 +23,7 @@ constexpr CommandForm kOtherCommands[] = {
      "brush RADIUS STRENGTH BETA [smooth|linear|sharp|constant [WHAT] [through]]: of drag"},
     {"drag", 2, kAnyWords, "drag X Y [X Y]...: paints with the pointer, in pixels of the picture"},
     {"turn", 4, kAnyWords, "turn X Y X Y...: drags the camera in the same way"},
-    {"fork", 1, kAnyWords, "fork NAME: opens a copy of the session"},
+    {"fork", 0, kAnyWords, "fork [NAME]: opens a copy of the session; the server names it"},
     {"wait", 0, 0, "wait: waits until all edits are applied and the surface settles"},
     {"camera", 2, 6, "camera AZIMUTH ELEVATION [DISTANCE [X Y Z]]: without target, frames all"},
     {"frame", 0, 1, "frame [FARTHER]: shows the whole scan, from FARTHER times the distance"},

@@ -6,13 +6,13 @@
 namespace burnish {
 
 Status ScriptRunner::run_fork(const ScriptLine& line) {
-  const std::string name = line.rest();
   RETURN_IF_ERROR(save_edits());
-  workspace_.fork(name, "");
+  const std::string source = workspace_.document()->session().id;
+  workspace_.fork(line.rest(), "");
   return update_until(
       [&] {
         const Document* const document = workspace_.document();
-        return document && document->session().name == name;
+        return document && document->session().id != source;
       },
       "forking");
 }

@@ -83,6 +83,39 @@ TEST_F(FrontService, AnOpenSessionIsShownWithAllThatPanelsHave) {
   EXPECT_GT(drawn_, 0);
 }
 
+TEST_F(FrontService, AScanIsExportedInItsOwnFormatFirst) {
+  ASSERT_TRUE(open());
+  EXPECT_EQ(document()["formats"], Json({"ply", "obj", "stl", "glb"}));
+}
+
+TEST_F(FrontService, AForkWithoutANameIsNamedByTheServer) {
+  ASSERT_TRUE(open());
+  line("fork");
+  ASSERT_TRUE(until([this] {
+    return !snapshot_["document"].is_null() && document()["session"] != "work" && is_settled();
+  }));
+  EXPECT_TRUE(answers_.empty());
+  EXPECT_NE(document()["session"], "");
+}
+
+TEST_F(FrontService, AScanThatIsGivenInASessionOpens) {
+  ASSERT_TRUE(open());
+  const std::string file = write_sphere(server_.folder, 2);
+  hear({{"kind", "import"}, {"file", {{"handle", 1}, {"name", file}, {"size", 1}}}});
+  EXPECT_TRUE(until([this] { return is_settled() && document()["scan"] == "sphere2"; }));
+}
+
+TEST_F(FrontService, FiguresAreNotThoseOfTheSurfaceUntilTheyAreMeasuredAgain) {
+  ASSERT_TRUE(open());
+  ASSERT_TRUE(until([this] { return document()["numbers"]["current"] == true; }));
+  const Json still = document()["numbers"]["deviation"];
+  line("beta 0");
+  ASSERT_TRUE(until([this] { return document()["numbers"]["current"] == false; }));
+  EXPECT_EQ(document()["numbers"]["deviation"], still);
+  ASSERT_TRUE(until([this] { return document()["numbers"]["current"] == true; }));
+  EXPECT_NE(document()["numbers"]["deviation"], still);
+}
+
 TEST_F(FrontService, NoPictureBeginsWhileTheCardDrawsTheLast) {
   ASSERT_TRUE(open());
   is_drawing_ = true;

@@ -106,6 +106,13 @@ TEST_F(WindowTest, TheWheelNeverLosesTheScan) {
   })) << window_->output();
 }
 
+TEST_F(WindowTest, CtrlQQuits) {
+  open_window();
+  screen_->move(kPictureX, kPictureY);
+  screen_->key({"Control_L", "q"});
+  EXPECT_TRUE(eventually([this] { return has_ended(); })) << window_->output();
+}
+
 // Pure white: nothing else in the picture is.
 int ring_pixels(const Image& image) {
   int count = 0;

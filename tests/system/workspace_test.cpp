@@ -98,6 +98,28 @@ TEST_F(WorkspaceService, AScanThatFitsIsShownInFullDetail) {
   EXPECT_EQ(status.triangles_drawn, document().scan().scan.statistics.triangles);
 }
 
+TEST_F(WorkspaceService, SaysWhetherAllEditsAreSaved) {
+  ASSERT_TRUE(open_through(server_.address));
+  workspace_.tell_saved();
+  EXPECT_TRUE(log_has("all edits are saved"));
+  server_.kill();
+  document().preview_beta(0.5);
+  document().commit_beta();
+  workspace_.tell_saved();
+  EXPECT_TRUE(log_has("1 edit is not saved yet"));
+}
+
+TEST_F(WorkspaceService, AFileThatTakesTheSessionsPlaceIsOpenedAndAnotherIsOnlyImported) {
+  ASSERT_TRUE(open_through(server_.address));
+  const TemporaryFolder folder;
+  const std::string first = write_sphere(folder, 2), second = write_sphere(server_.folder, 4);
+  workspace_.import_in_place(first);
+  workspace_.import_in_place(second);
+  ASSERT_TRUE(until([this] { return workspace_.library().scans.size() == 3; }));
+  ASSERT_TRUE(until([this] { return workspace_.is_idle() && workspace_.document(); }));
+  EXPECT_EQ(document().scan().scan.name, "sphere2");
+}
+
 TEST_F(WorkspaceService, LeavesASessionThatItsOwnerClosedUntilItIsOpenedAgain) {
   ASSERT_TRUE(open_through(server_.address));
   ASSERT_TRUE(owner_.close_session("work").is_ok());

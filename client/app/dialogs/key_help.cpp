@@ -32,7 +32,7 @@ static bool is_of_camera(Action action) {
 static void draw_action_rows(const Bindings& bindings, bool of_camera) {
   for (const ActionInfo& info : actions())
     if (is_of_camera(info.action) == of_camera)
-      key_row(bindings.key_of(info.action).c_str(), info.description.data());
+      key_row(bindings.keys_of(info.action).c_str(), info.description.data());
 }
 
 static void draw_tables(const Bindings& bindings, bool side_by_side) {

@@ -37,7 +37,10 @@ static void number_rows(const std::vector<Figure>& figures) {
 static void draw_deviation(Document& document) {
   document.measuring().follow_deviation(document.shown());
   if (!document.measuring().deviation()) return faint_text("measured when the surface has settled");
+  const bool is_current = document.measuring().is_deviation_of(document.shown());
+  ImGui::BeginDisabled(!is_current);
   number_rows(deviation_figures(document));
+  ImGui::EndDisabled();
 }
 
 // Roots of the areas, so that a small part is seen beside the part that stays.

@@ -31,6 +31,10 @@ class Measuring {
   void follow_deviation(const Shown& shown);
   /// The newest deviation; nothing before the first answer.
   const std::optional<SessionDeviation>& deviation() const { return deviation_; }
+  /// Whether the deviation is that of this surface, and not of one before.
+  bool is_deviation_of(const Shown& shown) const {
+    return deviation_ && !is_measuring_ && shown.is_settled && measured_edits_ == shown.edits;
+  }
 
   /// Cuts the surface from now on.
   void cut(const Plane& plane);

@@ -32,6 +32,8 @@ const std::array<ActionInfo, kActions>& actions() {
       {Action::kOrthographic, "orthographic", "5", "With or without perspective"},
       {Action::kLog, "log", "L", "Show all messages"},
       {Action::kHelp, "help", "?", "Show the keys"},
+      {Action::kSave, "save", "Ctrl+S", "Say whether all edits are saved"},
+      {Action::kQuit, "quit", "Ctrl+Q", "Quit"},
       {Action::kCancel, "cancel", "Escape", "Cancel the stroke; close what is open"},
   }};
   return kInfos;
@@ -65,6 +67,14 @@ std::optional<Action> Bindings::action_of(const std::string& key) const {
   for (const ActionInfo& info : actions())
     if (!key.empty() && info.also == key) return info.action;
   return std::nullopt;
+}
+
+std::string Bindings::keys_of(Action action) const {
+  std::string keys = key_of(action);
+  for (const ActionInfo& info : actions())
+    if (info.action == action && !info.also.empty() && action_of(std::string(info.also)) == action)
+      keys += ", " + std::string(info.also);
+  return keys;
 }
 
 const std::string& Bindings::key_of(Action action) const {

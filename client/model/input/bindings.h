@@ -37,10 +37,12 @@ enum class Action {
   kOrthographic,
   kLog,
   kHelp,
+  kSave,
+  kQuit,
   kCancel,
 };
 
-inline constexpr size_t kActions = 26;
+inline constexpr size_t kActions = 28;
 
 struct ActionInfo {
   Action action;
@@ -64,6 +66,8 @@ class Bindings {
 
   std::optional<Action> action_of(const std::string& key) const;
   const std::string& key_of(Action action) const;
+  /// Returns all keys of an action: "Ctrl+Shift+Z, Ctrl+Y".
+  std::string keys_of(Action action) const;
 
  private:
   std::optional<Action> bound_to(const std::string& key) const;

@@ -57,6 +57,8 @@ void do_document_action(Action action, Workspace& workspace) {
     case Action::kScreenshot:
     case Action::kLog:
     case Action::kHelp:
+    case Action::kSave:
+    case Action::kQuit:
     case Action::kCancel:
       return;
   }

@@ -207,6 +207,11 @@ void Workspace::import_scan(const std::filesystem::path& file, Opening opening) 
   when_connected([this, file, opening, activity] { import_there(file, opening, activity); });
 }
 
+void Workspace::import_in_place(const std::filesystem::path& file) {
+  if (document_ && replacing_.empty()) replacing_ = file;
+  import_scan(file);
+}
+
 void Workspace::import_there(const std::filesystem::path& file, Opening opening,
                              const std::shared_ptr<Activity>& activity) {
   const auto connection = connection_;
@@ -218,6 +223,7 @@ void Workspace::import_there(const std::filesystem::path& file, Opening opening,
                    auto outcome = import_file(*connection, file, depth, missing, progress);
                    return [this, file, opening, activity, missing, outcome = std::move(outcome)] {
                      if (activity == raw_work_ && begins_again()) return;
+                     const bool replaces = takes_place(file);
                      if (!outcome.is_ok()) {
                        close_raw(file);
                        return log.failure("import of " + file.string(), outcome.status());
@@ -226,7 +232,8 @@ void Workspace::import_there(const std::filesystem::path& file, Opening opening,
                      if (!missing.empty())
                        log.warning(missing_text(file.filename().string(), missing));
                      refresh_library();
-                     if (may_open(file)) open_scan(outcome->scan, opening, raw_depth_, activity);
+                     if (may_open(file) || (replaces && may_leave()))
+                       open_scan(outcome->scan, opening, raw_depth_, activity);
                    };
                  });
 }

@@ -95,6 +95,9 @@ class Workspace {
   /// Imports a file, and opens it if no session is open at the end. Uses this computer if no server
   /// was chosen.
   void import_scan(const std::filesystem::path& file, Opening opening = Opening::kGoOn);
+  /// Imports a file, and opens it in the place of the open session, unless edits of that wait then.
+  /// Further files are only imported meanwhile.
+  void import_in_place(const std::filesystem::path& file);
   void delete_session(const SessionInfo& session);
   void rename_session(const SessionInfo& session, const std::string& name);
   /// Deletes a scan with the sessions that edit it.
@@ -144,6 +147,8 @@ class Workspace {
   /// Returns true if no work is in progress.
   bool is_idle() const { return tasks_.is_idle(); }
   /// Returns the number of edits of the open session that its server does not have on disk.
+  /// Says in the log whether all edits are saved.
+  void tell_saved();
   size_t unsaved_edits() const { return document_ ? document_->unacknowledged() : 0; }
   /// Returns the link of the open session; kEnded without one.
   LinkState link() const { return document_ ? document_->link() : LinkState::kEnded; }
@@ -210,6 +215,8 @@ class Workspace {
   void forget_raw();
   /// Returns whether a file that was imported opens: no other surface is shown.
   bool may_open(const std::filesystem::path& file) const;
+  bool takes_place(const std::filesystem::path& file);
+  bool may_leave();
   void tell_imported(const std::filesystem::path& file, const ImportOutcome& outcome);
   void change_library(const std::string& what, std::function<Status(Connection&)> change);
   void show(OpenedDocument opened);
@@ -236,10 +243,11 @@ class Workspace {
   uint64_t exports_done_ = 0;
   std::string document_server_;  // empty: the private one
   uint64_t pictures_begun_ = 0;
-  bool is_drawn_ = false;           // the renderer's picture is that of the document
-  bool shows_trial_ = false;        // it may be of a strength that is tried
-  uint64_t drawn_changes_ = 0;      // the document's, as it was drawn
-  std::filesystem::path raw_file_;  // the file that is read or shown raw; empty: none
+  bool is_drawn_ = false;            // the renderer's picture is that of the document
+  bool shows_trial_ = false;         // it may be of a strength that is tried
+  uint64_t drawn_changes_ = 0;       // the document's, as it was drawn
+  std::filesystem::path replacing_;  // opens in the place of the open session; empty: none
+  std::filesystem::path raw_file_;   // the file that is read or shown raw; empty: none
   std::optional<RawScan> raw_;
   uint64_t raw_triangles_ = 0;  // of the raw scan that the document took over; 0: of none
   Opening raw_opening_ = Opening::kGoOn;

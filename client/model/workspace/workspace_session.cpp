@@ -180,6 +180,12 @@ std::string unsaved_text(size_t edits) {
   return edits == 1 ? "1 edit is not saved" : std::to_string(edits) + " edits are not saved";
 }
 
+// Each edit is saved as it is made, so there is nothing to do.
+void Workspace::tell_saved() {
+  if (unsaved_edits() > 0) return log.warning(unsaved_text(unsaved_edits()) + " yet");
+  log.info("all edits are saved; Export writes a file");
+}
+
 std::filesystem::path Workspace::picture_folder() const {
   if (options_.preferences.empty()) return {};
   return options_.preferences.parent_path() / "pictures";
@@ -331,6 +337,19 @@ void Workspace::forget_raw() {
 
 bool Workspace::may_open(const std::filesystem::path& file) const {
   return !document_ && !opening_ && (raw_file_.empty() || raw_file_ == file);
+}
+
+// Returns whether this file is to take the open session's place; it was asked to once.
+bool Workspace::takes_place(const std::filesystem::path& file) {
+  if (replacing_ != file) return false;
+  replacing_.clear();
+  return document_ != nullptr && !opening_;
+}
+
+bool Workspace::may_leave() {
+  if (document_->unacknowledged() == 0) return true;
+  log.warning(document_->session().name + " stays open: its edits wait for the server");
+  return false;
 }
 
 // How the user last saw the session.

@@ -114,7 +114,7 @@ void Front::hear(std::string_view json) {
   if (kind == "import") {
     const GivenFile file = file_in(message);
     host_.give(file);
-    workspace_.import_scan(file.name);
+    workspace_.import_in_place(file.name);
   }
   if (kind == "replay") replay(file_in(message));
 }

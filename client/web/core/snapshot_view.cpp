@@ -45,6 +45,7 @@ void write_numbers(const Document& document, JsonWriter& json) {
   const bool has_moved = measured && !measured->deviation.is_zero();
   json.key("numbers").open();
   write_figures("deviation", deviation_figures(document), json);
+  json.flag("current", document.measuring().is_deviation_of(document.shown()));
   json.key("histogram").open_list();
   if (has_moved)
     for (const double area : measured->deviation.histogram) json.number(std::sqrt(area));

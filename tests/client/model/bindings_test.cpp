@@ -31,6 +31,14 @@ TEST(Bindings, TheSecondKeyOfAnActionCanBeGivenToAnother) {
   EXPECT_FALSE(bindings.action_of("").has_value());
 }
 
+TEST(Bindings, AllKeysOfAnActionAreListedAsLongAsTheyAreItsOwn) {
+  Bindings bindings;
+  EXPECT_EQ(bindings.keys_of(Action::kUndo), "Ctrl+Z");
+  EXPECT_EQ(bindings.keys_of(Action::kRedo), "Ctrl+Shift+Z, Ctrl+Y");
+  ASSERT_TRUE(bindings.bind("split", "Ctrl+Y").is_ok());
+  EXPECT_EQ(bindings.keys_of(Action::kRedo), "Ctrl+Shift+Z");
+}
+
 TEST(Bindings, UnknownActionsAndTakenKeysAreRefused) {
   Bindings bindings;
   EXPECT_EQ(bindings.bind("polish", "P").message(), "keys: unknown action 'polish'");

@@ -413,6 +413,7 @@ test("HistorySwitchesRestoresAndForks", () =>
     const panel = visit.page.getByRole("region", { name: "History" });
     await panel.getByRole("checkbox", { name: "Entry 4: stroke of 12 dabs, β 0" }).click();
     await visit.sent("switch 4 off");
+    assert.match(await panel.getByRole("listitem").first().innerText(), /mia$/, "several people made edits");
     await panel.getByRole("button", { name: "Undo" }).click();
     await visit.sent("undo");
     await panel.getByRole("button", { name: "Restore before carving" }).click();
@@ -427,6 +428,15 @@ test("HistorySwitchesRestoresAndForks", () =>
     await name.fill("copy");
     await panel.getByRole("button", { name: "Fork" }).click();
     await visit.sent("fork copy");
+  }));
+
+test("UndoSaysWhoseEditsItTakesBack", () =>
+  bench.visitSession(async (visit) => {
+    const undo = visit.page.getByRole("region", { name: "History" }).getByRole("button", { name: "Undo" });
+    assert.match((await undo.getAttribute("title"))!, /your last edit/);
+    await visit.document({ people: [{ connection: 1, user: "", colour: 0xd9534f, role: "owner", me: true }] });
+    await visit.page.getByText("guest (you)").waitFor();
+    assert.match((await undo.getAttribute("title"))!, /anybody without a name/);
   }));
 
 test("OwnersChangeRolesAndOthersSeeThem", () =>
@@ -483,7 +493,7 @@ test("KeysOfOnesOwnStayAndTakeNoOther", () =>
     await keyboard.press("Escape");
     await dialog.waitFor({ state: "detached" });
     await visit.page.reload();
-    await visit.openSession();
+    await visit.page.getByRole("region", { name: "Camera", exact: true }).waitFor();
     await visit.forget();
     await keyboard.press("w");
     await keyboard.press("Shift+G");
@@ -584,6 +594,15 @@ test("LightHasALampOnABall", () =>
     await visit.sent("panel commit 0.5 Light/Occlusion");
     await panel.getByRole("button", { name: "As at first" }).click();
     await visit.sent("panel commit press Light/As at first");
+  }));
+
+test("FiguresOfASurfaceBeforeAreGrey", () =>
+  bench.visitSession(async (visit) => {
+    const { numbers } = session;
+    await (await visit.section("Numbers")).getByText("largest move").waitFor();
+    assert.equal(await visit.page.locator(".stale").count(), 0);
+    await visit.document({ numbers: { ...numbers, current: false } });
+    await visit.page.locator(".stale").getByText("largest move").waitFor();
   }));
 
 test("NumbersNameTheUnitAndMeasure", () =>

@@ -222,6 +222,7 @@ export const session: Document = {
       { name: "largest move", value: "0.42 mm" },
       { name: "mean", value: "0.03 mm" },
     ],
+    current: true,
     histogram: Array.from({ length: 32 }, (_, i) => Math.exp(-(((i - 16) / 4) ** 2))),
     range: "0.5 mm",
     rulerPoints: 2,

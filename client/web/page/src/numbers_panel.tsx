@@ -7,13 +7,17 @@ import type { PanelProps } from "./filter_panel";
 import type { Numbers } from "./snapshot";
 import { TypedField } from "./typed_field";
 
+const kStale = "Of the surface before the last edit. Measured again when the surface has settled.";
+
 export function NumbersPanel({ document }: PanelProps) {
   const numbers = document.numbers;
   return (
     <>
       <Unit key={document.sessionId} document={document} />
       {numbers.deviation.length > 0 ? (
-        <Figures figures={numbers.deviation} />
+        <div class={numbers.current ? undefined : "stale"} title={numbers.current ? undefined : kStale}>
+          <Figures figures={numbers.deviation} />
+        </div>
       ) : (
         <div class="faint">measured when the surface has settled</div>
       )}

@@ -246,6 +246,8 @@ export interface Figure {
 export interface Numbers {
   /** Empty until the surface has settled. */
   deviation: Figure[];
+  /** They are of the surface that is shown, and not of one before. */
+  current: boolean;
   /** Areas by move along the normal, inwards first. */
   histogram: number[];
   range: string;
@@ -291,10 +293,10 @@ export interface Document {
   /** L of the scan; the wavelength of alpha is 2 pi L / alpha. */
   lengthUnit: number;
   box: { low: [number, number, number]; high: [number, number, number] };
-  closed: boolean;
-  hasColours: boolean;
   /** In which the scan can be exported, its own first: "ply". */
   formats: string[];
+  closed: boolean;
+  hasColours: boolean;
   link: "connecting" | "live" | "lost" | "ended";
   linkReason: string;
   /** "lost" is short: the session goes on at another server. */
