@@ -66,6 +66,26 @@ async function showTheTexelsOfTheWindow(lab: Lab, mean: number, most: number): P
 test("TexelsOfOpenGlAreThoseOfTheWindow", () => showTheTexelsOfTheWindow(labs.card, 1, 24));
 test("TexelsOfTheProcessorAreThoseOfTheWindow", () => showTheTexelsOfTheWindow(labs.processor, 0.01, 0));
 
+test("FilesThatAreGivenTogetherAreOneTexturedScanWhichGoesOutAsAnArchive", () => {
+  const lab = labs.processor;
+  writeFileSync(lab.path("given.obj"), lab.bytes("lettered.obj") + "# given\n");
+  return lab.visit(async (visit) => {
+    const chooser = visit.page.waitForEvent("filechooser");
+    await visit.page.getByRole("button", { name: "Open a scan…" }).click();
+    await (await chooser).setFiles(["given.obj", "skin.mtl", "skin.png"].map((name) => lab.path(name)));
+    await visit.settled();
+    await visit.replay(["camera 25 20", ...kTexels, "wait"]);
+    const stripes = turns(await visit.picture());
+    assert.ok(stripes >= 40, `${stripes} turns`);
+    await visit.choose("File", "Export…");
+    const dialog = visit.page.getByRole("dialog", { name: "Export" });
+    assert.equal(await dialog.getByRole("combobox", { name: "Format" }).inputValue(), "zip");
+    const download = visit.page.waitForEvent("download");
+    await dialog.getByRole("button", { name: "Export" }).click();
+    assert.equal((await download).suggestedFilename(), "given.zip");
+  });
+});
+
 /** Returns how much brightness steps between near pixels around the middle of a picture. */
 function step({ width, height, data }: Pixels): number {
   const red = (x: number) => data[4 * (Math.floor(height / 2) * width + x)]!;
