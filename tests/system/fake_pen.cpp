@@ -1,8 +1,10 @@
 // Loaded into a window under test (LD_PRELOAD): Xvfb has no tablet. It gives X one pen, which
-// presses as hard as the file $BURNISH_FAKE_PEN says, 0 to 1.
+// presses as hard as the file $BURNISH_FAKE_PEN says, 0 to 1. Beside it, the file with .read has a
+// byte for each time that the window has asked.
 
 #include <cstdlib>
 #include <fstream>
+#include <string>
 
 #include <X11/extensions/XInput2.h>
 
@@ -10,6 +12,7 @@ static double value_now() {
   const char* const path = std::getenv("BURNISH_FAKE_PEN");
   double pressure = 0;
   if (path) std::ifstream(path) >> pressure;
+  if (path) std::ofstream(std::string(path) + ".read", std::ios::app) << '.';
   return pressure;
 }
 

@@ -1,8 +1,9 @@
 // A pen that presses more or less hard, in the real window.
 
+#include <filesystem>
 #include <fstream>
+#include <functional>
 #include <sstream>
-#include <thread>
 
 #include <gmock/gmock.h>
 
@@ -32,8 +33,17 @@ class PenWindow : public WindowTest {
     std::ofstream(part) << pressure;
     std::filesystem::rename(part, server_->folder / "pen");
   }
-  // The window is another process. It reads the pen when it takes an event, and does not say when.
-  static void let_window_take_events() { std::this_thread::sleep_for(std::chrono::seconds(1)); }
+  /// Does what is one event for the window, and waits until it has asked the pen because of that.
+  bool is_taken(const std::function<void()>& act) const {
+    const size_t before = readings();
+    act();
+    return eventually([&] { return readings() > before; });
+  }
+  size_t readings() const {
+    std::error_code error;  // there is no file before the first one
+    const auto size = std::filesystem::file_size(server_->folder / "pen.read", error);
+    return error ? 0 : size;
+  }
   void draw() { screen_->drag(kPictureX - 40, kPictureY, kPictureX + 40, kPictureY); }
 
   // Waits for `count` strokes and returns their strengths.
@@ -71,12 +81,10 @@ TEST_F(PenWindow, APensPressureScalesTheStrengthAndItsSwitchAppears) {
 TEST_F(PenWindow, AGestureWhosePressureChangesIsUndoneAtOnce) {
   press(0.25);
   screen_->move(kPictureX - 60, kPictureY);
-  screen_->press(1);
-  screen_->move(kPictureX, kPictureY);
-  let_window_take_events();
+  ASSERT_TRUE(is_taken([this] { screen_->press(1); }));
+  ASSERT_TRUE(is_taken([this] { screen_->move(kPictureX, kPictureY); }));
   press(1);
-  screen_->move(kPictureX + 60, kPictureY);
-  let_window_take_events();
+  ASSERT_TRUE(is_taken([this] { screen_->move(kPictureX + 60, kPictureY); }));
   press(0);
   screen_->release(1);
   EXPECT_THAT(strengths_of(2), ElementsAre(0.15, 0.6));
