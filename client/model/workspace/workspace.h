@@ -146,9 +146,9 @@ class Workspace {
   const std::vector<std::shared_ptr<Activity>>& activities() const { return activities_; }
   /// Returns true if no work is in progress.
   bool is_idle() const { return tasks_.is_idle(); }
-  /// Returns the number of edits of the open session that its server does not have on disk.
   /// Says in the log whether all edits are saved.
   void tell_saved();
+  /// Returns the number of edits of the open session that its server does not have on disk.
   size_t unsaved_edits() const { return document_ ? document_->unacknowledged() : 0; }
   /// Returns the link of the open session; kEnded without one.
   LinkState link() const { return document_ ? document_->link() : LinkState::kEnded; }
