@@ -28,3 +28,5 @@ export function timeOf(unixSeconds: number): string {
 }
 
 export const hexColour = (colour: number) => "#" + colour.toString(16).padStart(6, "0");
+
+export const capital = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
