@@ -9,7 +9,8 @@
 
 namespace burnish {
 
-/// The files in a folder and below it. A link that leads out of the folder is not followed.
+/// The files in a folder and below it. A name may differ in capital letters, if no other does. A
+/// link that leads out of the folder is not followed.
 class FolderFiles final : public FilesBeside {
  public:
   explicit FolderFiles(const std::filesystem::path& folder);

@@ -69,17 +69,37 @@ static void read_texture(const GltfDocument& document, const GltfJson& info,
   if (sampler != nullptr) surface.wraps = {wrap_of(*sampler, "wrapS"), wrap_of(*sampler, "wrapT")};
 }
 
-static GltfMaterial read_material(const GltfDocument& document, const GltfJson& json) {
+/// The names of a material's colour: of glTF itself, and of an older extension.
+struct ColourNames {
+  std::initializer_list<const char*> look;
+  const char* factor;
+  const char* texture;
+};
+
+static GltfMaterial read_colour(const GltfDocument& document, const GltfJson& json,
+                                const ColourNames& names) {
   GltfMaterial material;
-  const GltfJson* look = find_object(json, {"pbrMetallicRoughness"});
+  const GltfJson* look = find_object(json, names.look);
   if (look == nullptr) return material;
   SurfaceMaterial& surface = material.surface;
-  read_numbers(*look, "baseColorFactor", surface.factor);
+  read_numbers(*look, names.factor, surface.factor);
   surface.factor = surface.factor.cwiseMax(0.F).cwiseMin(1.F);
   surface.plain = surface.factor;
-  if (const GltfJson* info = find_object(*look, {"baseColorTexture"}))
+  if (const GltfJson* info = find_object(*look, {names.texture}))
     read_texture(document, *info, material);
   return material;
+}
+
+/// Files with the extension may have a material without a picture beside it, for who does not know
+/// it.
+static GltfMaterial read_material(const GltfDocument& document, const GltfJson& json) {
+  constexpr const char* kOlder = "KHR_materials_pbrSpecularGlossiness";
+  const GltfMaterial material = read_colour(
+      document, json, {{"pbrMetallicRoughness"}, "baseColorFactor", "baseColorTexture"});
+  if (material.surface.picture != kNoTexture ||
+      find_object(json, {"extensions", kOlder}) == nullptr)
+    return material;
+  return read_colour(document, json, {{"extensions", kOlder}, "diffuseFactor", "diffuseTexture"});
 }
 
 std::vector<GltfMaterial> read_gltf_materials(const GltfDocument& document) {

@@ -9,7 +9,9 @@ namespace burnish {
 // A part of the texels that may be denser than their page. Few triangles with far too many texels
 // are mostly mistakes of a program that flattened the surface.
 static constexpr double kPartDenser = 0.05;
-static constexpr double kMuchDenser = 1.25;  // times: less is hardly seen, and costs texels
+// Times the mean. Less is hardly seen, and costs texels: the pictures of a cube on a ball, whose
+// pages have up to 1.45, take 5.2 texels for one at 1.25.
+static constexpr double kMuchDenser = 1.45;
 
 static double density_of(const TexelsOnArea& triangle) {
   return std::sqrt(triangle.texels / triangle.area);

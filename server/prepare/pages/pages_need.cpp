@@ -9,8 +9,8 @@ namespace burnish {
 
 namespace {
 
-constexpr uint64_t kBytesInAnyCase = 8 << 20;  // threads' stacks, digits
-constexpr uint64_t kBatchBytesMax = 24 << 20;  // of pages on their way to the file
+constexpr uint64_t kBytesInAnyCase = 10 << 20;  // threads' stacks, digits, the program's own pages
+constexpr uint64_t kBatchBytesMax = 24 << 20;   // of pages on their way to the file
 constexpr uint64_t kBatchBytesPerElement = 32;
 constexpr uint64_t kHeapBytesPerPage = 256;   // bounds, directory, place of the replacement
 constexpr uint64_t kTrianglesPerPage = 1000;  // at least, over all levels

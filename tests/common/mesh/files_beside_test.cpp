@@ -30,6 +30,21 @@ TEST(FilesBeside, PathsOfOtherMachinesCountByTheirLastPart) {
   EXPECT_EQ(beside.find("", ""), std::nullopt);
 }
 
+TEST(FolderFiles, NamesMayDifferInCapitalLettersIfNoOtherDoes) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "Maps");
+  folder.write("Maps/SKIN.png", "pixels");
+  folder.write("a.mtl", "");
+  folder.write("A.mtl", "");
+  folder.write("b.MTL", "");
+  folder.write("B.mtl", "");
+  const FolderFiles files(folder.path());
+  EXPECT_EQ(files.find("maps", "skin.PNG"), "Maps/SKIN.png");
+  EXPECT_EQ(files.find("", "A.mtl"), "A.mtl");
+  EXPECT_EQ(files.find("", "b.mtl"), std::nullopt);
+  EXPECT_EQ(files.find("", "c.mtl"), std::nullopt);
+}
+
 TEST(FolderFiles, LinksThatLeadOutOfTheFolderAreNotFollowed) {
   const TemporaryFolder outside, folder;
   outside.write("secret.png", "secret");

@@ -66,6 +66,14 @@ TEST(GltfTextures, AnEmbeddedPictureGivesTheColoursOfAnObj) {
   EXPECT_EQ(gltf_colours(textured_glb()), square_colours());
 }
 
+TEST(GltfTextures, ThePictureMayBeThatOfAnOlderExtension) {
+  GlbFile file = textured_glb();
+  const TestJson look = {{"diffuseFactor", {1, 1, 1, 1}}, {"diffuseTexture", {{"index", 0}}}};
+  file.json["materials"] = {{{"pbrMetallicRoughness", {{"baseColorFactor", {0.1, 0.2, 0.3, 1}}}},
+                             {"extensions", {{"KHR_materials_pbrSpecularGlossiness", look}}}}};
+  EXPECT_EQ(gltf_colours(file), square_colours());
+}
+
 TEST(GltfTextures, ThePictureMayBeADataUriOrAFileBeside) {
   const std::string png = png_of(square_picture());
   const std::span bytes(reinterpret_cast<const uint8_t*>(png.data()), png.size());
