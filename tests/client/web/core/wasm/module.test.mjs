@@ -13,8 +13,8 @@ const importsOf = (module, from) =>
 
 /** Each core, the module that it alone imports, the function of the host that it alone calls, and its size. */
 const kCores = [
-  { name: "core", modules: ["gl"], drawing: [], bytesMax: 904_000, packedBytesMax: 390_500 },
-  { name: "core_raster", modules: [], drawing: ["show_picture"], bytesMax: 951_500, packedBytesMax: 400_000 },
+  { name: "core", modules: ["gl"], drawing: [], bytesMax: 906_500, packedBytesMax: 392_000 },
+  { name: "core_raster", modules: [], drawing: ["show_picture"], bytesMax: 954_000, packedBytesMax: 401_000 },
 ];
 
 for (const { name, modules, drawing, bytesMax, packedBytesMax } of kCores) {
