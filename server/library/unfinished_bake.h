@@ -13,8 +13,8 @@ namespace burnish {
 
 struct UnfinishedSheets;
 
-/// What the last cancelled bake of sheets has made, until the server bakes or prepares something
-/// else. Thread-safe.
+/// Keeps what the last cancelled bake of sheets has made, until the server bakes or prepares
+/// something else. Thread-safe.
 class UnfinishedBake {
  public:
   using Key = std::pair<std::string, uint64_t>;  ///< a scan's id, and a version of its sheets

@@ -30,7 +30,7 @@ struct SheetsOptions {
   PreparationBudget* budget = nullptr;  ///< what it may take; null: what the machine has
   ScratchSpace space;                   ///< of arrays that go with the scan's triangles
   uint64_t held_bytes = 0;              ///< of memory that the scan takes beside it
-  /// What a cancelled build has made, if it was of these pages. This build goes on from there, and
+  /// Holds what a cancelled build of these pages has made. This build goes on from there, and
   /// leaves what it has made itself if it is cancelled. Needs: the same scan, seams and path. Null:
   /// nothing is kept.
   UnfinishedSheets* unfinished = nullptr;

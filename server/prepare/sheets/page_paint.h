@@ -32,7 +32,7 @@ class PagePaint {
 
   /// Texels of pictures inside the page's triangles.
   double used_texels() const;
-  /// What a sheet needs to show them, texels per step; 0 without a picture.
+  /// Returns the density that a sheet needs to show them, texels per step; 0 without a picture.
   double needed_density() const { return needed_texel_density(shown_); }
   /// Triangles that the scan does not have at these places: nothing is drawn for them.
   size_t lost_triangles() const { return lost_triangles_; }

@@ -12,8 +12,9 @@
 
 namespace burnish {
 
-/// What a cancelled build_sheets() has made, for the next one of the same scan. It lies in files
-/// without names and in the temporary file of the writer, so no later process takes it for whole.
+/// Holds what a cancelled build_sheets() has made, for the next one of the same scan. It lies in
+/// files without names and in the temporary file of the writer, so no later process takes it for
+/// whole.
 struct UnfinishedSheets {
   uint64_t pages_fingerprint = 0;  ///< of the pages that it belongs to
   std::optional<DecodedPictures> pictures;
