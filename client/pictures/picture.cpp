@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "client/pictures/lone_renderer.h"
+#include "client/scene/likely_up.h"
 
 namespace burnish {
 
@@ -11,7 +12,7 @@ Camera picture_camera(const PictureOptions& options, const Eigen::AlignedBox3d& 
   camera.azimuth_degrees = options.azimuth_degrees;
   camera.elevation_degrees = options.elevation_degrees;
   camera.zoom = options.zoom;
-  camera.up = options.up;
+  camera.up = options.up.value_or(likely_up(box, {}, MeshFormat::kPly));
   camera.orthographic = options.orthographic;
   return frame_all(camera, box, options.size.aspect());
 }

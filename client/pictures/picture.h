@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 
 #include <Eigen/Geometry>
@@ -22,7 +23,7 @@ struct PictureOptions {
   double azimuth_degrees = 25;  ///< see Camera
   double elevation_degrees = 20;
   double zoom = 1;
-  UpAxis up = UpAxis::kY;
+  std::optional<UpAxis> up;  ///< none: likely_up() of numbers without a unit
   bool orthographic = false;
   DrawStyle style;
 };

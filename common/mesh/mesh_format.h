@@ -32,6 +32,10 @@ inline constexpr std::array<MeshFormatFacts, 7> kMeshFormats = {{
     {MeshFormat::kZip, "zip", false},
 }};
 
+inline bool is_gltf(MeshFormat format) {
+  return format == MeshFormat::kGlb || format == MeshFormat::kGltf;
+}
+
 /// Returns the name of a format: "ply".
 std::string_view mesh_format_name(MeshFormat format);
 

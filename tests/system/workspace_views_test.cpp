@@ -4,6 +4,8 @@
 
 #include "client/scene/null_page_renderer.h"
 #include "common/base/text_lines.h"
+#include "common/generate/generate.h"
+#include "common/mesh/io/mesh_io.h"
 #include "tests/common/fast_clock.h"
 #include "tests/system/link.h"
 #include "tests/system/server_process.h"
@@ -76,7 +78,7 @@ TEST_F(WorkspaceViews, ASessionIsSeenAsItWasLeft) {
   workspace_.update();
   const Camera left = viewport().camera;
   ASSERT_TRUE(open("other"));
-  EXPECT_EQ(viewport().camera.up, UpAxis::kY);
+  EXPECT_EQ(viewport().camera.up, UpAxis::kZ) << "a scan's axis is said once";
   EXPECT_FALSE(viewport().camera.orthographic);
   EXPECT_TRUE(viewport().bookmarks.empty());
   viewport().options.split = false;
@@ -91,6 +93,25 @@ TEST_F(WorkspaceViews, ASessionIsSeenAsItWasLeft) {
   EXPECT_EQ(viewport().options.lighting.kind, LightKind::kCavity);
   EXPECT_EQ(viewport().bookmarks.size(), 1u);
   EXPECT_EQ(document().colour(), ColourBy::kCurvature);
+}
+
+TEST_F(WorkspaceViews, LandStandsOnItsFeetAndThisIsSaid) {
+  const auto file = server_.folder / "land.ply";
+  TriangleMesh land = make_icosphere(3, 1);
+  for (Vec3d& vertex : land.vertices) vertex = vertex.cwiseProduct(Vec3d(9000, 7000, 800));
+  ASSERT_TRUE(write_mesh(land, file).is_ok());
+  ASSERT_TRUE(owner_.import_scan(file, "land", {5, 0}, {}).is_ok());
+  ASSERT_TRUE(owner_.open_session({"land", "survey", {5, 0}}).is_ok());
+  ASSERT_TRUE(open("survey"));
+  EXPECT_EQ(viewport().camera.up, UpAxis::kZ);
+  EXPECT_TRUE(std::ranges::any_of(workspace_.log.messages(), [](const Message& message) {
+    return message.text.find("z is up") != std::string::npos;
+  }));
+  viewport().set_up(UpAxis::kY);
+  workspace_.update();
+  ASSERT_TRUE(open("work"));
+  ASSERT_TRUE(open("survey"));
+  EXPECT_EQ(viewport().camera.up, UpAxis::kY) << "what the user says holds";
 }
 
 TEST_F(WorkspaceViews, ADoubleClickTurnsAboutThePointAndComesNearer) {

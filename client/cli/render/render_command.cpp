@@ -49,7 +49,7 @@ std::string parse_light(const std::string& text, Lighting& lighting) {
   return usage_message(kind.status());
 }
 
-std::string parse_up(const std::string& text, UpAxis& up) {
+std::string parse_up(const std::string& text, std::optional<UpAxis>& up) {
   const Result<UpAxis> axis = parse_up_axis(text);
   if (axis.is_ok()) up = *axis;
   return usage_message(axis.status());
@@ -131,7 +131,8 @@ static void add_camera_options(CLI::App& command, PictureOptions& picture) {
   command
       .add_option_function<std::string>(
           "--up", [](const std::string&) {},
-          "Axis that points up: x, y, z, -x, -y or -z (default y)")
+          "Axis that points up: x, y, z, -x, -y or -z (default y; z for land as surveyors store "
+          "it)")
       ->type_name("AXIS")
       ->check([&picture](const std::string& text) { return parse_up(text, picture.up); });
   command.add_flag("--orthographic", picture.orthographic, "Draw without perspective");

@@ -36,7 +36,10 @@ bool shows_pictures(const SurfaceTextures& textures) {
 class ScanPainter {
  public:
   ScanPainter(const std::filesystem::path& scan, const PictureOptions& options, ScanColours colours)
-      : scan_(scan), options_(options), colours_(colours) {}
+      : scan_(scan), options_(options), colours_(colours) {
+    const auto format = mesh_format_of_path(scan);
+    if (!options_.up && format.is_ok() && is_gltf(*format)) options_.up = UpAxis::kY;
+  }
 
   Result<ScanPicture> draw() {
     if (colours_ != ScanColours::kNone) RETURN_IF_ERROR(draw_with_textures());
@@ -120,7 +123,7 @@ class ScanPainter {
   }
 
   const std::filesystem::path& scan_;
-  const PictureOptions& options_;
+  PictureOptions options_;
   const ScanColours colours_;
   ScanPicture drawn_;
   bool is_drawn_ = false;

@@ -4,6 +4,7 @@
 
 #include "client/connection/connection.h"
 #include "client/model/settings/recent_sessions.h"
+#include "client/scene/likely_up.h"
 #include "client/scene/raw_pages.h"
 #include "client/surface/page_desk.h"
 #include "common/pages/directory_codec.h"
@@ -27,6 +28,7 @@ static RawScan raw_scan_of(const ScanInfo& scan, const PageHead& head) {
               .has_colours = head.has_colours,
               .statistics = scan.statistics};
   raw.box = {scan.statistics.box_min, scan.statistics.box_max};
+  raw.up = likely_up(raw.box, scan.unit, scan.format);
   raw.space = make_page_space(head.grid, scan.default_depth);
   return raw;
 }

@@ -12,6 +12,7 @@
 #include "client/scene/page_mesh.h"
 #include "client/scene/page_renderer.h"
 #include "client/scene/page_space.h"
+#include "client/scene/up_axis.h"
 #include "common/base/status.h"
 #include "common/mesh/statistics/statistics.h"
 
@@ -30,6 +31,7 @@ struct RawScan {
   bool has_colours = false;
   MeshStatistics statistics;
   Eigen::AlignedBox3d box;           ///< file units
+  UpAxis up = UpAxis::kY;            ///< likely_up()
   std::vector<PatchRange> patches;   ///< what draw() draws, once the pages are in the renderer
   std::vector<PageMesh> pages = {};  ///< until then
   PageSpace space = {};

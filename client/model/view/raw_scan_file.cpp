@@ -20,6 +20,7 @@ bool can_be_raw(const std::filesystem::path& file) {
 }
 
 Result<RawScan> read_raw_scan(const std::filesystem::path& file, uint64_t triangles_max) {
+  ASSIGN_OR_RETURN(const MeshFormat format, mesh_format_of_path(file));
   ASSIGN_OR_RETURN(const TriangleMesh mesh, read_mesh(file));
   std::error_code ignored;
   RawScan scan{.name = file.filename().string(),
@@ -32,6 +33,7 @@ Result<RawScan> read_raw_scan(const std::filesystem::path& file, uint64_t triang
   RawPages raw = make_raw_pages(mesh, triangles_max);
   scan.statistics = statistics.get();
   scan.box = raw.box;
+  scan.up = likely_up(raw.box, {}, format);
   scan.pages = std::move(raw.pages);
   scan.space = raw.space;
   return scan;

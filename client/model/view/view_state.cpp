@@ -46,6 +46,7 @@ toml::table view_to_toml(const ViewKey& key, const ViewState& view) {
     bookmarks.push_back(camera_to_toml(view.bookmarks[i]));
   return toml::table{{"server", key.server},
                      {"session", key.session},
+                     {"scan", view.scan},
                      {"camera", camera_to_toml(view.camera)},
                      {"flat", view.options.flat},
                      {"wireframe", view.options.wireframe},
@@ -72,7 +73,7 @@ ViewOptions options_of(const toml::table& table) {
 std::optional<ViewState> view_of(const toml::table& table) {
   const auto camera = camera_of(table["camera"].as_table());
   if (!camera) return std::nullopt;
-  ViewState view{*camera, options_of(table)};
+  ViewState view{table["scan"].value_or(std::string()), *camera, options_of(table)};
   const int colour = table["colour"].value_or(0);
   if (colour >= 0 && colour <= static_cast<int>(ColourBy::kScan))
     view.colour = static_cast<ColourBy>(colour);
@@ -108,6 +109,12 @@ std::vector<toml::table> read_views(const std::filesystem::path& file) {
 std::optional<ViewState> read_view(const std::filesystem::path& file, const ViewKey& key) {
   for (const toml::table& table : read_views(file))
     if (key_of(table) == key) return view_of(table);
+  return std::nullopt;
+}
+
+std::optional<UpAxis> read_up(const std::filesystem::path& file, const std::string& scan) {
+  for (const toml::table& table : read_views(file))
+    if (const auto view = view_of(table); view && view->scan == scan) return view->camera.up;
   return std::nullopt;
 }
 

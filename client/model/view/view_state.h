@@ -13,6 +13,7 @@ inline constexpr size_t kViewsMax = 100;  // sessions whose views are kept
 
 /// How a user last saw a session.
 struct ViewState {
+  std::string scan;  ///< id; empty: not kept
   Camera camera;
   ViewOptions options;
   ColourBy colour = ColourBy::kNothing;
@@ -31,6 +32,9 @@ struct ViewKey {
 
 /// Returns nothing for a session that the file does not know, and for a damaged file or entry.
 std::optional<ViewState> read_view(const std::filesystem::path& file, const ViewKey& key);
+
+/// Returns the axis that pointed up when a session of the scan was seen last.
+std::optional<UpAxis> read_up(const std::filesystem::path& file, const std::string& scan);
 
 /// Puts the session first in the file and drops the oldest ones beyond kViewsMax. Keeps the first
 /// kBookmarksMax bookmarks. A damaged file is replaced. Fails: as errno says.

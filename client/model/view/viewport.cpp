@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "client/model/view/zoom.h"
+#include "client/scene/likely_up.h"
 #include "client/tools/colours.h"
 #include "client/tools/lasso.h"
 
@@ -162,7 +163,8 @@ void Viewport::leave() {
 }
 
 void Viewport::begin(const Document& document) {
-  begin(document.box());
+  const ScanInfo& scan = document.scan().scan;
+  begin(document.box(), likely_up(document.box(), scan.unit, scan.format));
   paints_ = true;
 }
 
@@ -278,10 +280,10 @@ void Viewport::send_ring(Document& document) {
 
 // A surface without a session.
 
-void Viewport::begin(const Eigen::AlignedBox3d& box) {
+void Viewport::begin(const Eigen::AlignedBox3d& box, UpAxis up) {
   reset(box);
   paints_ = false;
-  camera = {};
+  camera = {.up = up};
   go_home();
 }
 

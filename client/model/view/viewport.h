@@ -69,7 +69,7 @@ class Viewport {
   /// Resets for a newly opened document. Keeps only the settings of how surfaces are shown.
   void begin(const Document& document);
   /// Does the same for a surface without a session: all buttons turn or move it.
-  void begin(const Eigen::AlignedBox3d& box);
+  void begin(const Eigen::AlignedBox3d& box, UpAxis up);
   /// Goes on with a document that has the same surface. The camera and its drag stay.
   void take_over(const Document& document);
   void frame_all();

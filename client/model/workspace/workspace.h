@@ -225,6 +225,7 @@ class Workspace {
   std::optional<ViewState> kept_view(const std::string& session) const;
   void see_as_kept(const std::string& session);
   void restore_view(bool keeps_camera);
+  void raise_axis();
   void save_view();
   bool need_connection(const std::string& what);
   /// The server as preferences.recent names it.

@@ -35,7 +35,7 @@ void Workspace::take_raw(const std::filesystem::path& file, Opening opening, Res
     raw_ = std::move(*read);
     raw_opening_ = opening;
     ++pictures_begun_;
-    viewport.begin(raw_->box);
+    viewport.begin(raw_->box, raw_->up);
     return open_raw();
   }
   const auto activity = raw_activity(file, triangles);

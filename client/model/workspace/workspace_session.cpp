@@ -304,7 +304,7 @@ void Workspace::take_early(Result<RawScan>& early) {
   if (has_picture() || !early.is_ok() || !put_into(renderer_, *early).is_ok()) return;
   raw_.emplace(std::move(*early));
   ++pictures_begun_;
-  viewport.begin(raw_->box);
+  viewport.begin(raw_->box, raw_->up);
   const auto recent = std::ranges::find_if(preferences.recent, [&](const RecentSession& each) {
     return each.server == recent_server() && each.session == coming_->wish.name;
   });
@@ -375,12 +375,21 @@ void Workspace::see_as_kept(const std::string& session) {
 // The camera of a raw scan that the session takes over stays: the user may have turned it.
 void Workspace::restore_view(bool keeps_camera) {
   auto view = kept_view(document_->session().id);
-  if (!view) return;
+  if (!view) return raise_axis();
   if (!keeps_camera) viewport.camera = view->camera;
   viewport.options = view->options;
   viewport.bookmarks = std::move(view->bookmarks);
   if (view->colour != ColourBy::kScan || document_->has_colours())
     document_->set_colour(view->colour);
+}
+
+// What the user chose for the scan goes on in its new sessions.
+void Workspace::raise_axis() {
+  const std::filesystem::path file = views_file(options_.preferences);
+  const auto up = file.empty() ? std::nullopt : read_up(file, document_->scan().scan.id);
+  if (up && *up != viewport.camera.up) return viewport.set_up(*up);
+  if (!up && viewport.camera.up != UpAxis::kY)
+    log.info("taken for land: z is up; Camera, Up changes it");
 }
 
 void Workspace::record_picture(const std::filesystem::path& file) {
@@ -394,8 +403,9 @@ void Workspace::save_view() {
   const std::filesystem::path file = views_file(options_.preferences);
   if (file.empty()) return;
   const ViewKey key{document_server_, document_->session().id};
-  const Status written = write_view(
-      file, key, {viewport.camera, viewport.options, document_->colour(), viewport.bookmarks});
+  const Status written = write_view(file, key,
+                                    {document_->scan().scan.id, viewport.camera, viewport.options,
+                                     document_->colour(), viewport.bookmarks});
   if (!written.is_ok()) log.failure("views", written);
 }
 

@@ -8,13 +8,8 @@
 
 #include "common/gltf/document.h"
 #include "common/mesh/files/files_beside.h"
-#include "common/mesh/mesh_format.h"
 
 namespace burnish {
-
-inline bool is_gltf(MeshFormat format) {
-  return format == MeshFormat::kGlb || format == MeshFormat::kGltf;
-}
 
 /// Gives a glTF reader the files beside it, and keeps their bytes.
 class GltfFiles {

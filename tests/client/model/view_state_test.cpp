@@ -11,6 +11,7 @@ namespace {
 
 ViewState some_view() {
   ViewState view;
+  view.scan = "5ca4";
   view.camera.target = Vec3d(4.5e5, -2, 0.1);
   view.camera.distance = 7.25;
   view.camera.azimuth_degrees = -33;
@@ -32,6 +33,18 @@ TEST(ViewState, WhatIsWrittenIsReadAgainForItsSessionAlone) {
   EXPECT_EQ(read_view(file, {"host:1", "abc"}), some_view());
   EXPECT_FALSE(read_view(file, {"", "abc"}).has_value());
   EXPECT_FALSE(read_view(file, {"host:1", "abd"}).has_value());
+}
+
+TEST(ViewState, AScanIsUpAsItWasSeenLast) {
+  const TemporaryFolder folder;
+  const auto file = folder / "views.toml";
+  EXPECT_FALSE(read_up(file, "5ca4").has_value());
+  ViewState view = some_view();
+  ASSERT_TRUE(write_view(file, {"", "first"}, view).is_ok());
+  view.camera.up = UpAxis::kX;
+  ASSERT_TRUE(write_view(file, {"", "second"}, view).is_ok());
+  EXPECT_EQ(read_up(file, "5ca4"), UpAxis::kX);
+  EXPECT_FALSE(read_up(file, "5ca5").has_value());
 }
 
 TEST(ViewState, TheFileIsForItsUserAlone) {

@@ -10,7 +10,7 @@ const Eigen::AlignedBox3d kWideBox(Vec3d(-4, -1, -1), Vec3d(4, 1, 1));
 Viewport viewport_of(const ImageSize& size) {
   Viewport viewport;
   viewport.set_size(size);
-  viewport.begin(kWideBox);
+  viewport.begin(kWideBox, UpAxis::kY);
   return viewport;
 }
 

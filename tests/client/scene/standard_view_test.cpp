@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "client/scene/likely_up.h"
+
 namespace burnish {
 namespace {
 
@@ -25,6 +27,33 @@ TEST(UpAxis, IsFoundByItsName) {
   for (int i = 0; i < kUpAxes; ++i)
     EXPECT_EQ(*parse_up_axis(name_of(static_cast<UpAxis>(i))), static_cast<UpAxis>(i));
   EXPECT_EQ(parse_up_axis("w").status().code(), StatusCode::kInvalidArgument);
+}
+
+// Of a volcano: 9.8 by 14 km, 1.9 km high, as maps store it.
+const Eigen::AlignedBox3d kLand(Vec3d(0, 30, 682), Vec3d(9780, 13980, 2543));
+
+TEST(LikelyUp, IsZForLandInMetresAndYForAllElse) {
+  EXPECT_EQ(likely_up(kLand, "", MeshFormat::kPly), UpAxis::kZ);
+  EXPECT_EQ(likely_up(kLand, "m", MeshFormat::kObj), UpAxis::kZ);
+  const Eigen::AlignedBox3d slab(Vec3d(0, 0, 0), Vec3d(1200, 900, 80));
+  EXPECT_EQ(likely_up(slab, "", MeshFormat::kPly), UpAxis::kY);
+  EXPECT_EQ(likely_up(slab, "mm", MeshFormat::kPly), UpAxis::kY);
+  EXPECT_EQ(likely_up(slab, "m", MeshFormat::kPly), UpAxis::kZ);
+  const Eigen::AlignedBox3d tower(Vec3d(0, 0, 0), Vec3d(9000, 9000, 8000));
+  EXPECT_EQ(likely_up(tower, "m", MeshFormat::kPly), UpAxis::kY);
+  EXPECT_EQ(likely_up({}, "m", MeshFormat::kPly), UpAxis::kY);
+}
+
+TEST(LikelyUp, IsYInGltfWhichSaysSo) {
+  EXPECT_EQ(likely_up(kLand, "m", MeshFormat::kGlb), UpAxis::kY);
+  EXPECT_EQ(likely_up(kLand, "m", MeshFormat::kGltf), UpAxis::kY);
+}
+
+TEST(LikelyUp, KnowsASmallFieldByTheCoordinatesOfItsMap) {
+  const Vec3d corner(552'000, 5'120'000, 400);
+  const Eigen::AlignedBox3d field(corner, corner + Vec3d(200, 150, 9));
+  EXPECT_EQ(likely_up(field, "", MeshFormat::kPly), UpAxis::kZ);
+  EXPECT_EQ(likely_up({Vec3d::Zero(), Vec3d(200, 150, 9)}, "", MeshFormat::kPly), UpAxis::kY);
 }
 
 TEST(StandardView, SixViewsLookAlongTheAxes) {

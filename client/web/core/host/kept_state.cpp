@@ -98,7 +98,7 @@ std::string key_of(const ViewKey& key) {
 }
 
 void write(const ViewState& view, JsonWriter& json) {
-  json.key("camera");
+  json.text("scan", view.scan).key("camera");
   write(view.camera, json);
   json.key("light");
   write(view.options.lighting, json);
@@ -115,6 +115,7 @@ ViewState view_in(const Json& object) {
   constexpr int kColours = 5;  // of ColourBy
   ViewState view;
   const Reader reader(object);
+  reader.take("scan", view.scan);
   if (const Json* const camera = reader.find("camera")) view.camera = camera_in(*camera);
   if (const Json* const light = reader.find("light")) view.options.lighting = lighting_in(*light);
   reader.take("flat", view.options.flat);
@@ -194,6 +195,14 @@ std::optional<ViewState> read_view(const std::filesystem::path& file, const View
     Reader(each).take("key", name);
     if (name == key_of(key)) return view_in(each);
   }
+  return std::nullopt;
+}
+
+std::optional<UpAxis> read_up(const std::filesystem::path& file, const std::string& scan) {
+  const Json stored = stored_json(file.string());
+  if (!stored.is_array()) return std::nullopt;
+  for (const Json& each : stored)
+    if (const ViewState view = view_in(each); view.scan == scan) return view.camera.up;
   return std::nullopt;
 }
 

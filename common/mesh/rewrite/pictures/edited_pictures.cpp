@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "common/base/limits.h"
-#include "common/mesh/gltf/gltf_files.h"
+#include "common/mesh/mesh_format.h"
 #include "common/mesh/rewrite/moved/moved_mesh.h"
 #include "common/mesh/rewrite/pictures/texel_changes.h"
 #include "common/mesh/textures/shown_picture.h"
