@@ -19,7 +19,7 @@ struct Picture {
   const Rgba8& at(uint32_t x, uint32_t y) const { return pixels[size_t{y} * width + x]; }
 };
 
-/// Decodes a small PNG or JPEG file into memory. Fails: as read_picture_rows().
+/// Decodes a small PNG, JPEG or WebP file into memory. Fails: as read_picture_rows().
 Result<Picture> read_picture(std::span<const uint8_t> bytes, const std::string& name);
 
 }  // namespace burnish

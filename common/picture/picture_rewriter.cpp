@@ -10,6 +10,7 @@ namespace burnish {
 static Result<RewrittenPicture> rewrite_by_kind(std::span<const uint8_t> bytes,
                                                 const PictureEditor& editor) {
   ASSIGN_OR_RETURN(const PictureKind kind, kind_of_picture(bytes));
+  if (kind == PictureKind::kWebp) return rewrite_webp(bytes, editor);
   return kind == PictureKind::kPng ? rewrite_png(bytes, editor) : rewrite_jpeg(bytes, editor);
 }
 

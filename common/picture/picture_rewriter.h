@@ -44,7 +44,7 @@ struct RewrittenPicture {
   std::string note;            ///< what else is different, in words; empty: nothing
 };
 
-/// Writes a PNG or JPEG file again with some pixels changed.
+/// Writes a PNG, JPEG or WebP file again with some pixels changed.
 ///
 /// PNG: same depth, colours and chunks; other pixels stay equal. A palette becomes RGB, and a grey
 /// of 1 to 4 bits one of 8. An interlaced picture is in memory as a whole, and is not interlaced
@@ -54,8 +54,11 @@ struct RewrittenPicture {
 /// sampling. So no pixel outside their MCUs and a ring of one around them changes. Markers stay,
 /// and a progressive file is progressive. All coefficients are in memory: two bytes a sample.
 ///
-/// Fails: unimplemented naming what it cannot write (CMYK, arithmetic coding, another gamma or kind
-/// of picture); otherwise as read_picture_rows(); as the editor does.
+/// WebP: packed without loss, so other pixels stay equal. All are in memory.
+///
+/// Fails: unimplemented naming what it cannot write (CMYK, arithmetic coding, another gamma, a
+/// WebP's colour profile, another kind of picture); otherwise as read_picture_rows(); as the editor
+/// does.
 Result<RewrittenPicture> rewrite_picture(std::span<const uint8_t> bytes, const std::string& name,
                                          const PictureEditor& editor);
 

@@ -12,6 +12,7 @@ namespace burnish {
 
 static Status decode(std::span<const uint8_t> bytes, const PictureTaker& taker) {
   ASSIGN_OR_RETURN(const PictureKind kind, kind_of_picture(bytes));
+  if (kind == PictureKind::kWebp) return read_webp_rows(bytes, taker);
   return kind == PictureKind::kPng ? read_png_rows(bytes, taker) : read_jpeg_rows(bytes, taker);
 }
 

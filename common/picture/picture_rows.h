@@ -36,14 +36,15 @@ struct PictureTaker {
   std::function<bool()> goes_on = {};
 };
 
-/// Decodes a PNG or JPEG file row by row, so that a picture takes no memory for its pixels. A JPEG
-/// of several scans takes memory for its coefficients. `name` is for messages. Fails: unimplemented
-/// (another kind of picture); invalid_argument that names the value and the limit (too large,
-/// damaged, cut off); resource_exhausted; cancelled; as begin() does, with the name and the size.
+/// Decodes a PNG, JPEG or WebP file row by row, so that a PNG or JPEG takes no memory for its
+/// pixels. A JPEG of several scans takes memory for its coefficients, a WebP for all pixels. `name`
+/// is for messages. Fails: unimplemented (another kind of picture); invalid_argument that names the
+/// value and the limit (too large, damaged, cut off); resource_exhausted; cancelled; as begin()
+/// does, with the name and the size.
 Status read_picture_rows(std::span<const uint8_t> bytes, const std::string& name,
                          const PictureTaker& taker);
 
-/// Returns what the header of a PNG or JPEG file announces. Fails: as read_picture_rows().
+/// Returns what the header of a PNG, JPEG or WebP file announces. Fails: as read_picture_rows().
 Result<PictureSize> read_picture_size(std::span<const uint8_t> bytes, const std::string& name);
 
 }  // namespace burnish

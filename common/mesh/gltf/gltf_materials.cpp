@@ -49,12 +49,26 @@ static Eigen::Affine2d read_transform(const GltfJson& json) {
   return Eigen::Translation2d(offset) * Eigen::Rotation2Dd(-angle) * Eigen::Scaling(scale);
 }
 
-/// Reads the texture that a material's "baseColorTexture" refers to.
+/// Returns a texture's image: first of the extensions' that are read, then its own, then of those
+/// that are not, so that its kind can be told.
+static std::optional<uint64_t> image_of(const GltfJson& texture) {
+  const auto of_extension = [&](const char* name) {
+    const GltfJson* json = find_object(texture, {"extensions", name});
+    return json == nullptr ? std::nullopt : whole_or_none(*json, "source");
+  };
+  if (const auto webp = of_extension("EXT_texture_webp")) return webp;
+  if (const auto own = whole_or_none(texture, "source")) return own;
+  for (const char* name : {"KHR_texture_basisu", "EXT_texture_avif", "MSFT_texture_dds"})
+    if (const auto other = of_extension(name)) return other;
+  return std::nullopt;
+}
+
+/// Reads the texture that a material refers to.
 static void read_texture(const GltfDocument& document, const GltfJson& info,
                          GltfMaterial& material) {
   const GltfJson* texture = element_or_null(document, "textures", whole_or_none(info, "index"));
   if (texture == nullptr) return;
-  const auto image = whole_or_none(*texture, "source");
+  const auto image = image_of(*texture);
   if (element_or_null(document, "images", image) == nullptr || *image >= kNoTexture) return;
   SurfaceMaterial& surface = material.surface;
   surface.picture = static_cast<uint32_t>(*image);
@@ -90,16 +104,37 @@ static GltfMaterial read_colour(const GltfDocument& document, const GltfJson& js
   return material;
 }
 
+/// Returns whether a surface has a colour but for the light that it gives: its file names one, and
+/// it is not black.
+static bool reflects(const GltfJson& json, const SurfaceMaterial& surface) {
+  constexpr float kBlack = 0.01F;
+  return find_object(json, {"pbrMetallicRoughness"}) != nullptr &&
+         surface.factor.maxCoeff() > kBlack;
+}
+
+/// Some programs write a scan's photos as light that a black surface gives.
+static GltfMaterial read_light(const GltfDocument& document, const GltfJson& json,
+                               const GltfMaterial& otherwise) {
+  GltfMaterial light;
+  light.surface.factor = Vec3f::Zero();  // as glTF has it
+  read_numbers(json, "emissiveFactor", light.surface.factor);
+  light.surface.factor = light.surface.factor.cwiseMax(0.F).cwiseMin(1.F);
+  light.surface.plain = light.surface.factor;
+  if (const GltfJson* info = find_object(json, {"emissiveTexture"}))
+    read_texture(document, *info, light);
+  return light.surface.picture == kNoTexture || light.surface.factor.isZero() ? otherwise : light;
+}
+
 /// Files with the extension may have a material without a picture beside it, for who does not know
 /// it.
 static GltfMaterial read_material(const GltfDocument& document, const GltfJson& json) {
   constexpr const char* kOlder = "KHR_materials_pbrSpecularGlossiness";
   const GltfMaterial material = read_colour(
       document, json, {{"pbrMetallicRoughness"}, "baseColorFactor", "baseColorTexture"});
-  if (material.surface.picture != kNoTexture ||
-      find_object(json, {"extensions", kOlder}) == nullptr)
-    return material;
-  return read_colour(document, json, {{"extensions", kOlder}, "diffuseFactor", "diffuseTexture"});
+  if (material.surface.picture != kNoTexture) return material;
+  if (find_object(json, {"extensions", kOlder}) != nullptr)
+    return read_colour(document, json, {{"extensions", kOlder}, "diffuseFactor", "diffuseTexture"});
+  return reflects(json, material.surface) ? material : read_light(document, json, material);
 }
 
 std::vector<GltfMaterial> read_gltf_materials(const GltfDocument& document) {

@@ -25,6 +25,26 @@ std::string_view first_word(std::string_view text) {
   return text.substr(0, text.find_first_of(" \t"));
 }
 
+/// Leaves out a comment behind a file's name. A '#' may also belong to the name: "wall #2.png".
+std::string_view without_comment(std::string_view name) {
+  constexpr size_t kExtensionMax = 6;  // with its dot
+  for (size_t at = name.find('#'); at != std::string_view::npos; at = name.find('#', at + 1)) {
+    const std::string_view before = without_blanks(name.substr(0, at));
+    const size_t dot = before.rfind('.');
+    const bool is_apart = at > 0 && (name[at - 1] == ' ' || name[at - 1] == '\t');
+    const bool is_name = dot != std::string_view::npos && before.size() - dot <= kExtensionMax;
+    if (is_apart && is_name) return before;
+  }
+  return name;
+}
+
+/// Returns how well a statement's picture shows the colour of a surface: 0: not at all.
+int rank_of(std::string_view keyword) {
+  if (equals_ignoring_case(keyword, "map_Kd")) return 3;
+  if (equals_ignoring_case(keyword, "map_Ka")) return 2;
+  return equals_ignoring_case(keyword, "map_Ke") ? 1 : 0;
+}
+
 bool starts_ignoring_case(std::string_view text, std::string_view beginning) {
   return equals_ignoring_case(text.substr(0, beginning.size()), beginning);
 }
@@ -45,8 +65,7 @@ class MtlReader {
   MaterialFile read() {
     while (scanner_.next_line()) {
       const std::string_view keyword = scanner_.next_token();
-      if (equals_ignoring_case(keyword, "newmtl"))
-        file_.materials.push_back({.name = std::string(without_blanks(scanner_.line_rest()))});
+      if (equals_ignoring_case(keyword, "newmtl")) begin_material();
       if (keyword == "Kd") read_diffuse();
       if (names_a_picture(keyword)) read_picture_name(keyword);
     }
@@ -54,6 +73,11 @@ class MtlReader {
   }
 
  private:
+  void begin_material() {
+    file_.materials.push_back({.name = std::string(without_blanks(scanner_.line_rest()))});
+    picture_rank_ = 0;
+  }
+
   void read_diffuse() {
     Rgba8 colour = {0, 0, 0, 255};
     for (size_t i = 0; i < 3; ++i) {
@@ -69,10 +93,12 @@ class MtlReader {
     Material drawn;  // takes the options
     while (first_word(scanner_.line_rest()).starts_with('-'))
       read_option(scanner_.next_token(), drawn);
-    const std::string name(without_blanks(scanner_.line_rest()));
+    const std::string name(without_comment(without_blanks(scanner_.line_rest())));
     if (name.empty()) return;
     if (known_pictures_.insert(name).second) file_.pictures.push_back(name);
-    if (file_.materials.empty() || !equals_ignoring_case(keyword, "map_Kd")) return;
+    const int rank = rank_of(keyword);
+    if (file_.materials.empty() || rank == 0 || rank < picture_rank_) return;
+    picture_rank_ = rank;
     Material& material = file_.materials.back();
     material.picture = name;
     material.wraps = drawn.wraps;
@@ -103,6 +129,7 @@ class MtlReader {
 
   TextScanner scanner_;
   MaterialFile file_;
+  int picture_rank_ = 0;  // of the last material's picture
   std::set<std::string> known_pictures_;
 };
 

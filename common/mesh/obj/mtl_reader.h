@@ -18,7 +18,7 @@ namespace burnish {
 struct Material {
   std::string name;
   std::optional<Rgba8> diffuse;           ///< Kd
-  std::string picture;                    ///< map_Kd, as the file names it; empty: none
+  std::string picture;                    ///< map_Kd, else map_Ka or map_Ke, as named; empty: none
   TextureWraps wraps;                     ///< -clamp
   std::array<double, 2> scale = {1, 1};   ///< -s: u and v are multiplied
   std::array<double, 2> offset = {0, 0};  ///< -o: and then moved

@@ -7,6 +7,7 @@
 #include "tests/common/mesh/texture_reference.h"
 #include "tests/common/mesh/textured_square.h"
 #include "tests/common/picture/encoding.h"
+#include "tests/common/picture/webp_file.h"
 
 namespace burnish {
 namespace {
@@ -72,6 +73,34 @@ TEST(GltfTextures, ThePictureMayBeThatOfAnOlderExtension) {
   file.json["materials"] = {{{"pbrMetallicRoughness", {{"baseColorFactor", {0.1, 0.2, 0.3, 1}}}},
                              {"extensions", {{"KHR_materials_pbrSpecularGlossiness", look}}}}};
   EXPECT_EQ(gltf_colours(file), square_colours());
+}
+
+TEST(GltfTextures, ThePictureMayBeWebpWithOrWithoutAnotherBesideIt) {
+  GlbFile file = textured_glb(gltf_picture());
+  file.json["extensionsRequired"] = file.json["extensionsUsed"] = {"EXT_texture_webp"};
+  file.json["images"].push_back(
+      {{"bufferView", file.add_view(webp_of(square_picture()))}, {"mimeType", "image/webp"}});
+  file.json["textures"][0]["extensions"]["EXT_texture_webp"] = {{"source", 1}};
+  EXPECT_EQ(gltf_colours(file), square_colours());
+  file.json["textures"][0].erase("source");
+  EXPECT_EQ(gltf_colours(file), square_colours());
+}
+
+TEST(GltfTextures, ThePictureMayBeTheLightThatABlackSurfaceGives) {
+  GlbFile file = textured_glb();
+  TestJson light = {{"emissiveTexture", {{"index", 0}}}, {"emissiveFactor", {1, 1, 1}}};
+  file.json["materials"] = {light};
+  EXPECT_EQ(gltf_colours(file), square_colours());
+  light["pbrMetallicRoughness"] = {{"baseColorFactor", {0, 0, 0, 1}}};
+  file.json["materials"] = {light};
+  EXPECT_EQ(gltf_colours(file), square_colours());
+  light["pbrMetallicRoughness"] = {{"baseColorFactor", {1, 0, 0, 1}}};  // red, with lamps
+  file.json["materials"] = {light};
+  EXPECT_NE(gltf_colours(file), square_colours());
+  light.erase("emissiveFactor");
+  light["pbrMetallicRoughness"] = {{"baseColorFactor", {0, 0, 0, 1}}};
+  file.json["materials"] = {light};
+  EXPECT_NE(gltf_colours(file), square_colours()) << "the factor of none is 0";
 }
 
 TEST(GltfTextures, ThePictureMayBeADataUriOrAFileBeside) {

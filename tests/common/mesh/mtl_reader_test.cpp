@@ -43,6 +43,31 @@ TEST(MtlReader, OptionsComeBeforeANameWithBlanks) {
   EXPECT_EQ(a.wraps.v, TextureWrap::kClamp);
 }
 
+TEST(MtlReader, TheAmbientOrGivenLightIsThePictureWhereThereIsNoOther) {
+  const auto picture_of = [](const std::string& statements) {
+    return materials_of("newmtl a\n" + statements).materials[0].picture;
+  };
+  EXPECT_EQ(picture_of("map_Ka a.png\n"), "a.png");
+  EXPECT_EQ(picture_of("map_Ke e.png\n"), "e.png");
+  EXPECT_EQ(picture_of("map_Kd d.png\nmap_Ka a.png\nmap_Ke e.png\n"), "d.png");
+  EXPECT_EQ(picture_of("map_Ke e.png\nmap_Ka a.png\nmap_Kd d.png\n"), "d.png");
+  EXPECT_EQ(picture_of("map_Ks s.png\n"), "");
+  EXPECT_EQ(materials_of("newmtl a\nmap_Kd d.png\nnewmtl b\nmap_Ka b.png\n").materials[1].picture,
+            "b.png");
+}
+
+TEST(MtlReader, ACommentMayFollowAName) {
+  const auto picture_of = [](const std::string& name) {
+    return materials_of("newmtl a\nmap_Kd " + name + "\n").materials[0].picture;
+  };
+  EXPECT_EQ(picture_of("skin.png # by hand"), "skin.png");
+  EXPECT_EQ(picture_of("skin.png\t#by hand"), "skin.png");
+  EXPECT_EQ(picture_of("my skin.jpeg # 1 # 2"), "my skin.jpeg");
+  EXPECT_EQ(picture_of("wall #2.png"), "wall #2.png");
+  EXPECT_EQ(picture_of("wall #2.png # second"), "wall #2.png");
+  EXPECT_EQ(picture_of("wall.png#2"), "wall.png#2");
+}
+
 TEST(MtlReader, PicturesOfAllStatementsAreListedOnce) {
   const MaterialFile file = materials_of(
       "newmtl a\nmap_Kd a.png\nmap_Bump -bm 0.3 n.png\nbump n.png\nmap_aat on\nrefl -type sphere "

@@ -9,6 +9,7 @@
 #include "common/picture/picture.h"
 #include "tests/common/picture/encoding.h"
 #include "tests/common/picture/raw_png.h"
+#include "tests/common/picture/webp_file.h"
 
 namespace burnish {
 namespace {
@@ -151,19 +152,72 @@ TEST(JpegRewriter, KindsThatItCannotWriteAreRefusedByName) {
   EXPECT_THAT(failure_of(deep).message(), HasSubstr("12"));
 }
 
+TEST(WebpRewriter, OnlyTheChangedPixelsChange) {
+  Picture made = soft_noise();
+  for (Rgba8& pixel : made.pixels) pixel[3] = pixel[0] % 2 == 0 ? 255 : 90;
+  for (const bool is_lossless : {true, false}) {
+    const std::string file = webp_of(made, is_lossless);
+    const auto rewritten = rewrite_picture(bytes_of(file), "skin", editor_of(kPatch));
+    ASSERT_TRUE(rewritten.is_ok()) << rewritten.status().message();
+    EXPECT_EQ(rewritten->texels, 8u * 9u);
+    EXPECT_THAT(rewritten->note, HasSubstr("without loss"));
+    const Picture before = read_picture(bytes_of(file), "before").value();
+    const Picture after = read_picture(rewritten->bytes, "after").value();
+    for (uint32_t y = 0; y < before.height; ++y)
+      for (uint32_t x = 0; x < before.width; ++x) {
+        Rgba8 expected = before.at(x, y);
+        for (size_t i = 0; i < 3; ++i)
+          if (kPatch.has(x, y))
+            expected[i] = static_cast<uint8_t>(std::min(255, expected[i] + kPatch.change));
+        ASSERT_EQ(after.at(x, y), expected) << x << " " << y;
+      }
+  }
+}
+
+TEST(WebpRewriter, ACancelIsHeardWhileItPacks) {
+  const std::string file = webp_of(soft_noise());
+  PictureEditor editor = editor_of(kPatch);
+  int asks = 0;
+  editor.goes_on = [&] { return ++asks > 0; };
+  ASSERT_TRUE(rewrite_picture(bytes_of(file), "skin", editor).is_ok());
+  for (int last = asks - 1; last >= 0; --last) {
+    int left = last;
+    editor.goes_on = [&] { return left-- > 0; };
+    EXPECT_EQ(rewrite_picture(bytes_of(file), "skin", editor).status().code(),
+              StatusCode::kCancelled)
+        << last << " of " << asks;
+  }
+}
+
+TEST(WebpRewriter, AColourProfileAndMotionAreRefusedByName) {
+  const std::string plain = webp_of(soft_noise());
+  const auto extended = [&](char flags) {
+    std::string file = plain.substr(0, 12) + std::string("VP8X\x0a\0\0\0", 8) + flags +
+                       std::string(3, '\0') + std::string("\x64\0\0\x95\0\0", 6) + plain.substr(12);
+    const auto riff = static_cast<uint32_t>(file.size() - 8);
+    for (size_t i = 0; i < 4; ++i) file[4 + i] = static_cast<char>(riff >> (8 * i));
+    return file;
+  };
+  EXPECT_TRUE(rewrite_picture(bytes_of(extended(0)), "skin", editor_of(kPatch)).is_ok());
+  EXPECT_THAT(failure_of(extended(0x20)).message(), HasSubstr("colour profile"));
+  EXPECT_THAT(failure_of(extended(0x02)).message(), HasSubstr("animated"));
+}
+
 TEST(PictureRewriter, ATruncatedFileIsAnErrorWithItsName) {
-  for (const std::string& file : {jpeg_of(soft_noise()), jpeg_of(soft_noise(), true),
-                                  png_of(soft_noise()), interlaced_png_of(soft_noise())})
+  for (const std::string& file :
+       {jpeg_of(soft_noise()), jpeg_of(soft_noise(), true), png_of(soft_noise()),
+        interlaced_png_of(soft_noise()), webp_of(soft_noise()), webp_of(soft_noise(), false)})
     for (const size_t part : {2, 3, 50}) {
       const Status failure = failure_of(file.substr(0, file.size() / part));
       EXPECT_EQ(failure.code(), StatusCode::kInvalidArgument) << failure.message();
       EXPECT_THAT(failure.message(), HasSubstr("skin"));
     }
-  EXPECT_THAT(failure_of("GIF89a").message(), HasSubstr("neither PNG nor JPEG"));
+  EXPECT_THAT(failure_of("GIF89a").message(), HasSubstr("GIF is not"));
 }
 
 TEST(PictureRewriter, NothingIsWrittenWhereNothingChanges) {
-  for (const std::string& file : {jpeg_of(soft_noise()), png_of(soft_noise())}) {
+  for (const std::string& file :
+       {jpeg_of(soft_noise()), png_of(soft_noise()), webp_of(soft_noise())}) {
     const auto rewritten = rewrite_picture(bytes_of(file), "skin", editor_of({0, 0, 9, 9, 0}));
     ASSERT_TRUE(rewritten.is_ok()) << rewritten.status().message();
     EXPECT_THAT(rewritten->bytes, IsEmpty());
@@ -172,7 +226,8 @@ TEST(PictureRewriter, NothingIsWrittenWhereNothingChanges) {
 }
 
 TEST(PictureRewriter, MemoryIsAskedForBeforeAnythingIsDecoded) {
-  for (const std::string& file : {jpeg_of(soft_noise()), png_of(soft_noise())}) {
+  for (const std::string& file :
+       {jpeg_of(soft_noise()), png_of(soft_noise()), webp_of(soft_noise())}) {
     PictureEditor editor = editor_of(kPatch);
     uint64_t asked = 0;
     editor.begin = [&](const PictureSize& size) {

@@ -1,10 +1,13 @@
 #include "common/picture/picture.h"
 
+#include <map>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "common/picture/picture_rows.h"
 #include "tests/common/picture/encoding.h"
+#include "tests/common/picture/webp_file.h"
 
 namespace burnish {
 namespace {
@@ -63,8 +66,8 @@ TEST(Picture, ACancelIsHeardBetweenTwoRowsAndInEachScan) {
   const Picture made = drawn(64, 64, [](uint32_t x, uint32_t y) {
     return Rgba8{static_cast<uint8_t>(x), static_cast<uint8_t>(y), 0, 255};
   });
-  for (const std::string& file :
-       {png_of(made), interlaced_png_of(made), jpeg_of(made), jpeg_of(made, true)}) {
+  for (const std::string& file : {png_of(made), interlaced_png_of(made), jpeg_of(made),
+                                  jpeg_of(made, true), webp_of(made), webp_of(made, false)}) {
     StatusCode code = StatusCode::kOk;
     const int all = rows_until(file, 1'000'000, code);
     EXPECT_EQ(code, StatusCode::kOk);
@@ -72,6 +75,34 @@ TEST(Picture, ACancelIsHeardBetweenTwoRowsAndInEachScan) {
       EXPECT_LT(rows_until(file, asks, code), all);
       EXPECT_EQ(code, StatusCode::kCancelled) << asks;
     }
+  }
+}
+
+TEST(Picture, WebpIsReadExactlyOrNearly) {
+  Picture made = stripes();
+  for (Rgba8& pixel : made.pixels) pixel[3] = static_cast<uint8_t>(255 - pixel[0] % 3);
+  const auto picture = read(webp_of(made));
+  ASSERT_TRUE(picture.is_ok()) << picture.status().message();
+  EXPECT_EQ(picture->width, 16u);
+  EXPECT_EQ(picture->pixels, made.pixels);
+  const auto lossy = read(webp_of(made, false));
+  ASSERT_TRUE(lossy.is_ok()) << lossy.status().message();
+  for (size_t i = 0; i < made.pixels.size(); ++i)
+    for (size_t channel = 0; channel < 3; ++channel)
+      EXPECT_NEAR(lossy->pixels[i][channel], made.pixels[i][channel], 20) << i;
+}
+
+TEST(Picture, OtherKindsAreRefusedByTheirNames) {
+  for (const auto& [file, name] :
+       std::map<std::string, std::string>{{std::string("II*\0....", 8), "TIFF"},
+                                          {"DDS ....", "DDS"},
+                                          {"GIF89a", "GIF"},
+                                          {"\xabKTX 20\xbb\r\n", "KTX2"},
+                                          {"BM......", "BMP"},
+                                          {"RIFF....WAVE", "PNG"}}) {
+    const Status status = read(file).status();
+    EXPECT_EQ(status.code(), StatusCode::kUnimplemented);
+    EXPECT_THAT(status.message(), HasSubstr(name));
   }
 }
 
