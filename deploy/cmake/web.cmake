@@ -5,7 +5,7 @@ set(BURNISH_WEB_SOURCES /usr/local/src/burnish CACHE PATH
     "Folder with the sources of libzstd: deploy/setup --web fetches them")
 if(BURNISH_WEB STREQUAL "AUTO")
   set(BURNISH_WEB ON)
-  foreach(program clang++-19 wasm-ld-19 esbuild)
+  foreach(program clang++-19 wasm-ld-19 esbuild brotli)
     string(MAKE_C_IDENTIFIER "BURNISH_${program}" found)
     find_program(${found} ${program})
     if(NOT ${found})

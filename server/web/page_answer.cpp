@@ -1,5 +1,7 @@
 #include "server/web/page_answer.h"
 
+#include <algorithm>
+
 namespace burnish {
 namespace {
 
@@ -22,9 +24,30 @@ PageAnswer guarded(unsigned status) {
   return answer;
 }
 
-bool takes_gzip(std::string_view accept_encoding) {
-  const size_t at = accept_encoding.find("gzip");
-  return at != std::string_view::npos && !accept_encoding.substr(at).starts_with("gzip;q=0");
+/// Returns whether a browser takes an encoding: the header lists names with weights.
+bool takes(std::string_view accept_encoding, std::string_view encoding) {
+  constexpr std::string_view kBetween = ", \t";
+  for (size_t at = 0; at < accept_encoding.size();) {
+    const size_t end = std::min(accept_encoding.find(',', at), accept_encoding.size());
+    std::string_view each = accept_encoding.substr(at, end - at);
+    at = end + 1;
+    each.remove_prefix(std::min(each.find_first_not_of(kBetween), each.size()));
+    if (!each.starts_with(encoding)) continue;
+    each.remove_prefix(encoding.size());
+    if (each.empty() || each[0] == ' ') return true;
+    if (each[0] == ';') return !each.starts_with(";q=0") || each.starts_with(";q=0.");
+  }
+  return false;
+}
+
+void put_body(const WebFile& file, std::string_view accept_encoding, PageAnswer& answer) {
+  const auto put = [&](std::string_view body, const char* encoding) {
+    answer.body = body;
+    answer.headers.emplace_back("Content-Encoding", encoding);
+  };
+  if (!file.brotli.empty() && takes(accept_encoding, "br")) return put(file.brotli, "br");
+  if (takes(accept_encoding, "gzip")) return put(file.gzipped, "gzip");
+  answer.body = file.bytes;
 }
 
 }  // namespace
@@ -45,11 +68,7 @@ PageAnswer answer_page(const WebFiles& files, const PageRequest& request) {
                               file->is_immutable ? "max-age=31536000, immutable" : "no-cache");
   if (is_known) return answer;
   answer.headers.emplace_back("Content-Type", file->type);
-  answer.body = file->bytes;
-  if (takes_gzip(request.accept_encoding)) {
-    answer.headers.emplace_back("Content-Encoding", "gzip");
-    answer.body = file->gzipped;
-  }
+  put_body(*file, request.accept_encoding, answer);
   return answer;
 }
 

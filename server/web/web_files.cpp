@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::string_view kIndex = "index.html";
 constexpr std::string_view kFavicon = "favicon.ico";
+constexpr std::string_view kBrotli = ".br";
 
 constexpr std::pair<std::string_view, const char*> kTypes[] = {
     {".html", "text/html; charset=utf-8"},
@@ -55,7 +56,7 @@ std::string type_of(std::string_view name) {
 }
 
 WebFile made_of(std::string_view name, std::string bytes, bool is_immutable) {
-  WebFile file{type_of(name), std::move(bytes), {}, {}, is_immutable};
+  WebFile file{type_of(name), std::move(bytes), {}, {}, {}, is_immutable};
   file.gzipped = gzip(file.bytes);
   file.etag = "\"" + hash_of(file.bytes) + "\"";
   return file;
@@ -65,6 +66,13 @@ std::string name_with_hash(const CarriedFile& file) {
   const size_t dot = file.name.rfind('.');
   return "assets/" + std::string(file.name.substr(0, dot)) + "-" + hash_of(file.bytes) +
          std::string(file.name.substr(dot));
+}
+
+/// Returns what the build packed of a file; empty if it did not.
+std::string_view brotli_of(std::span<const CarriedFile> files, std::string_view name) {
+  for (const CarriedFile& file : files)
+    if (file.name.starts_with(name) && file.name.substr(name.size()) == kBrotli) return file.bytes;
+  return {};
 }
 
 void replace_all(std::string& text, const std::string& from, const std::string& to) {
@@ -81,10 +89,12 @@ WebFiles::WebFiles(std::span<const CarriedFile> files) {
   for (const CarriedFile& file : files)
     if (file.name == kIndex) index = file.bytes;
   for (const CarriedFile& file : files) {
-    if (file.name == kIndex || file.name == kFavicon) continue;
+    if (file.name == kIndex || file.name == kFavicon || file.name.ends_with(kBrotli)) continue;
     const std::string name = name_with_hash(file);
     replace_all(index, "assets/" + std::string(file.name), name);
-    files_.emplace("/" + name, made_of(file.name, std::string(file.bytes), true));
+    WebFile made = made_of(file.name, std::string(file.bytes), true);
+    made.brotli = brotli_of(files, file.name);
+    files_.emplace("/" + name, std::move(made));
   }
   for (const CarriedFile& file : files)
     if (file.name == kFavicon)

@@ -9,11 +9,12 @@
 
 namespace burnish {
 
-/// A file of the page, in both forms that it goes out in.
+/// A file of the page, in the forms that it goes out in.
 struct WebFile {
   std::string type;           ///< of its content, "text/html; charset=utf-8"
   std::string bytes;          ///< as it is
   std::string gzipped;        ///< the same, packed
+  std::string_view brotli;    ///< packed better, by the build; empty: not there
   std::string etag;           ///< a hash of the bytes, in quotes
   bool is_immutable = false;  ///< its name has a hash: it never changes
 };
@@ -25,8 +26,9 @@ class WebFiles {
   /// The page that the program carries.
   WebFiles();
 
-  /// index.html becomes "/". Each "asset" of the list gets a name with a hash, which takes the
-  /// place of "assets/NAME" in index.html. Needs: an index.html and known endings of names.
+  /// index.html becomes "/". NAME.br is a form of NAME. Each "asset" of the list gets a name with a
+  /// hash, which takes the place of "assets/NAME" in index.html. Needs: an index.html and known
+  /// endings of names.
   explicit WebFiles(std::span<const CarriedFile> files);
 
   /// Returns null if no file has this target. `target` may have a query, which counts for nothing.

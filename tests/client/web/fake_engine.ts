@@ -62,7 +62,8 @@ scope.onmessage = ({ data }) => {
   }
   if (data.kind === "import" || data.kind === "replay")
     return seen.postMessage({ kind: data.kind, name: data.file.name, size: data.file.size });
-  seen.postMessage(data);
+  // No channel carries a compiled core.
+  seen.postMessage(data.kind === "core" ? { kind: data.kind } : data);
   if (data.kind === "command") obey(data.line);
 };
 

@@ -116,6 +116,26 @@ TEST(PageAnswer, ABrowserThatUnpacksGetsThePackedForm) {
   EXPECT_EQ(header(answer_page(files, {"GET", "/", "", "gzip;q=0"}), "Content-Encoding"), "none");
 }
 
+TEST(PageAnswer, ABrowserThatTakesBrotliGetsWhatTheBuildPacked) {
+  constexpr CarriedFile kPacked[] = {{"index.html", "assets/style.css"},
+                                     {"style.css", "p { color: red }"},
+                                     {"style.css.br", "packed"},
+                                     {"favicon.ico", "icon"}};
+  const WebFiles files(kPacked);
+  EXPECT_EQ(files.all().size(), 3u);
+  const std::string style = style_target(files);
+  const auto encoding = [&](std::string_view accepts) {
+    return header(answer_page(files, {"GET", style, "", accepts}), "Content-Encoding");
+  };
+  EXPECT_EQ(answer_page(files, {"GET", style, "", "gzip, deflate, br"}).body, "packed");
+  EXPECT_EQ(encoding("gzip, deflate, br"), "br");
+  EXPECT_EQ(encoding("br;q=0.5"), "br");
+  EXPECT_EQ(encoding("br;q=0,gzip;q=1"), "gzip");
+  EXPECT_EQ(encoding("brx, gzip"), "gzip");
+  EXPECT_EQ(encoding("identity"), "none");
+  EXPECT_EQ(header(answer_page(files, {"GET", "/", "", "br"}), "Content-Encoding"), "none");
+}
+
 TEST(PageAnswer, EveryAnswerHasThePolicy) {
   const WebFiles files(kTwoFiles);
   for (const PageAnswer& answer :

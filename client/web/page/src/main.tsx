@@ -23,6 +23,10 @@ const pictures: Pictures = asked === "card" || asked === "processor" ? asked : "
 
 const cores = { core: address("core"), rasterCore: address("rasterCore"), pictures };
 
+/** The core that comes while the engine does, which would ask for it a round trip later. */
+const handedCore = seemsToHaveCard(pictures) ? cores.core : cores.rasterCore;
+const handed = () => compileCore(handedCore).catch(() => null); // the engine tries again, and says why
+
 /** Begins to load an engine now. Returns what hands it out first, and then others. */
 function earlyWorker(): () => EnginePort {
   let early: EnginePort | null = makeWorker();
@@ -41,8 +45,7 @@ async function showPublication(base: string): Promise<void> {
   const coming = readScan(base);
   coming.catch(() => {}); // it is told below
   const makePort = earlyWorker();
-  const handedCore = seemsToHaveCard(pictures) ? cores.core : cores.rasterCore;
-  const core = compileCore(handedCore).catch(() => null); // the engine tries again, and says why
+  const core = handed();
   try {
     const scan = await coming;
     const link = new EngineLink(makePort, { ...cores, handedCore, publication: { scan, base } }, core);
@@ -59,7 +62,7 @@ const missing = missingParts();
 if (missing.length > 0) render(<Unsupported missing={missing} does={isPublication ? "show" : "edit"} />, place);
 else if (isPublication) void showPublication(address("scan"));
 else {
-  const link = new EngineLink(makeWorker, { ...cores, handedCore: "", publication: null });
+  const link = new EngineLink(makeWorker, { ...cores, handedCore, publication: null }, handed());
   link.want(sessionOfAddress());
   render(<Page link={link} />, place);
 }

@@ -21,10 +21,10 @@ after(async () => {
 
 declare const self: { lastContext?: WebGL2RenderingContext };
 
-/** Returns the name of the core that the page's engine has loaded. */
+/** Returns the name of the core that the page's engine has loaded, else of the one that the page has handed it. */
 async function coreOf(visit: Visit): Promise<string> {
-  const worker = visit.page.workers()[0]!;
-  const names = await worker.evaluate(() => performance.getEntriesByType("resource").map((one) => one.name));
+  const loaded = () => performance.getEntriesByType("resource").map((one) => one.name);
+  const names = [...(await visit.page.workers()[0]!.evaluate(loaded)), ...(await visit.page.evaluate(loaded))];
   return /\/(core\w*)-[^/]*\.wasm$/.exec(names.find((name) => name.endsWith(".wasm")) ?? "")?.[1] ?? "";
 }
 
