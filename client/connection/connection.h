@@ -67,8 +67,8 @@ class Connection {
   /// of a failure. Does nothing without a starter.
   void bring_back(const Progress& progress = {});
 
-  /// Uploads a scan and has it prepared. The server changes a name that another scan
-  /// has, or refuses it if it must be `exact_name`. Fails: as the server says; as reading does;
+  /// Uploads a scan and has it prepared. A name that no scan may have, or that another has, is
+  /// changed, or refused if it must be `exact_name`. Fails: as the server says; as reading does;
   /// cancelled.
   Result<ImportOutcome> import_scan(ScanSource& scan, const std::string& name,
                                     const PreparedKey& key, const Progress& progress,

@@ -77,7 +77,8 @@ Result<ImportOutcome> Connection::import_scan(ScanSource& scan, const std::strin
                                               const PreparedKey& key, const Progress& progress,
                                               bool exact_name) {
   ASSIGN_OR_RETURN(const std::string hash, hash_of(scan));
-  const ImportHeader header{name, scan.format(), scan.size_bytes(), hash, key, exact_name};
+  const ImportHeader header{
+      exact_name ? name : name_like(name), scan.format(), scan.size_bytes(), hash, key, exact_name};
 
   grpc::ClientContext context;
   const auto stream = state_->library->Import(&context);

@@ -108,6 +108,20 @@ Status check_name(std::string_view what, std::string_view name) {
   return Status::ok();
 }
 
+std::string name_like(std::string_view text) {
+  std::string name;
+  while (!text.empty()) {
+    const std::string_view before = text;
+    const auto character = take_character(text);
+    if (character && is_control(*character)) continue;
+    const std::string_view bytes =
+        character ? before.substr(0, before.size() - text.size()) : std::string_view("?");
+    if (name.size() + bytes.size() > kNameBytesMax) break;
+    name += bytes;
+  }
+  return name.empty() ? "scan" : name;
+}
+
 /// Replaces each character that `is_wanted` refuses by '?', up to `bytes_max` bytes.
 template <typename IsWanted>
 static std::string cleaned(std::string_view text, size_t bytes_max, IsWanted is_wanted) {

@@ -40,6 +40,10 @@ std::string to_hex(std::span<const std::byte> bytes);
 /// which no character is_control(). Fails: invalid_argument that begins with `what`.
 Status check_name(std::string_view what, std::string_view name);
 
+/// Returns the name that is most like a file's: without what check_name() refuses, cut between two
+/// characters. A byte that is not UTF-8 becomes '?', a name of nothing "scan".
+std::string name_like(std::string_view text);
+
 /// Returns `text` as UTF-8; each byte that is not UTF-8 becomes '?'. Text beyond `bytes_max` bytes
 /// is cut between two characters, and "... (123 more bytes)" follows.
 std::string shortened(std::string_view text, size_t bytes_max);

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import io
 import pathlib
+import unicodedata
 import warnings
 from types import TracebackType
 from typing import BinaryIO
@@ -19,6 +20,8 @@ from .mesh import Mesh
 from .progress import Progress, Whole, report, whole
 from .scan import Scan
 from .session import Session
+
+_NAME_BYTES_MAX = 200
 
 
 def connect(address: str = "127.0.0.1:7411", *, user: str | None = None, token: str | None = None,
@@ -43,6 +46,13 @@ def connect(address: str = "127.0.0.1:7411", *, user: str | None = None, token: 
         connection.close()
         raise
     return connection
+
+
+def _name_like(stem: str) -> str:
+    """Returns the name that is most like a file's: without characters that a scan's may not have."""
+    shown = "".join(c for c in stem if unicodedata.category(c) not in ("Cc", "Cf", "Zl", "Zp"))
+    known = shown.encode("utf-8", "surrogateescape").decode("utf-8", "replace")
+    return known.encode()[:_NAME_BYTES_MAX].decode(errors="ignore")
 
 
 class Connection:
@@ -87,7 +97,7 @@ class Connection:
             return self._import(file, name, "", common_pb2.MESH_FORMAT_PLY, depth, progress)
         kind = format_of(source)
         with open(source, "rb") as file:
-            return self._import(file, name, pathlib.Path(source).stem, kind, depth, progress)
+            return self._import(file, name, _name_like(pathlib.Path(source).stem), kind, depth, progress)
 
     def _import(self, file: BinaryIO, name: str | None, otherwise: str,
                 kind: common_pb2.MeshFormat, depth: int, progress: Progress | None) -> Scan:

@@ -30,6 +30,13 @@ class Library(Sdk):
         self.assertEqual((scan.name, scan.depths), ("cube", [4]))
         assert_rises(self, [done for _, done in phases])
 
+    def test_a_file_whose_name_turns_the_direction_of_text_is_imported(self):
+        path = self.folder / "\u200f\u05e9\u200e 1.ply"
+        path.write_bytes(burnish.Mesh(self.mesh.vertices * 5, self.mesh.faces).to_ply())
+        scan = self.connection.import_scan(path, depth=4)
+        self.addCleanup(scan.delete)
+        self.assertEqual(scan.name, "\u05e9 1")
+
     def test_a_deleted_scan_is_not_found(self):
         scan = self.connection.import_scan(burnish.Mesh(self.mesh.vertices * 3, self.mesh.faces),
                                            depth=4)

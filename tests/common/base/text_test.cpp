@@ -66,6 +66,17 @@ TEST(CheckName, RefusesWhatIsNotUtf8AndWhatIsNotShownAsItStands) {
   EXPECT_TRUE(check_name("it", std::string(200, 'a')).is_ok());
 }
 
+TEST(NameLike, IsTheNameOfAFileWithoutWhatIsRefused) {
+  EXPECT_EQ(name_like("M\xc3\xbcller \xe2\x80\x94 5"), "M\xc3\xbcller \xe2\x80\x94 5");
+  EXPECT_EQ(name_like("\xe2\x80\x8f\xd7\xa9\xe2\x80\x8e 1\n"), "\xd7\xa9 1")
+      << "marks of direction";
+  EXPECT_EQ(name_like("M\xfcller"), "M?ller");
+  EXPECT_EQ(name_like("\x01"), "scan");
+  EXPECT_EQ(name_like(std::string(199, 'a') + "\xc3\xbc"), std::string(199, 'a'));
+  for (const char* name : {"", "\xff", "a\tb"})
+    EXPECT_TRUE(check_name("it", name_like(name)).is_ok()) << name;
+}
+
 TEST(SecondsText, HasAsManyDigitsAsItNeeds) {
   EXPECT_EQ(seconds_text(std::chrono::milliseconds(10'000)), "10 s");
   EXPECT_EQ(seconds_text(std::chrono::milliseconds(250)), "0.25 s");
