@@ -14,6 +14,7 @@
 #include "client/app/widgets/places.h"
 #include "client/app/widgets/theme.h"
 #include "client/app/widgets/words.h"
+#include "client/model/documents/undo_words.h"
 #include "client/report/depth_text.h"
 #include "common/base/limits.h"
 
@@ -319,8 +320,11 @@ void App::draw_menu_bar() {
   begin_place_group("Menu");
   Workspace& workspace = *workspace_;
   const bool is_open = workspace.document() != nullptr;
-  const auto item = [&](const char* label, Action action, bool enabled = true) {
-    if (noted(label, ImGui::MenuItem(label, bindings_.key_of(action).c_str(), false, enabled)))
+  const auto item = [&](const char* name, Action action, bool enabled = true,
+                        const std::string& what = {}) {
+    const std::string label = what.empty() ? name : name + (": " + what + "###") + name;
+    const std::string keys = bindings_.keys_of(action);
+    if (noted(name, ImGui::MenuItem(label.c_str(), keys.c_str(), false, enabled)))
       do_action(action);
   };
   if (noted("File", ImGui::BeginMenu("File"))) {
@@ -339,8 +343,8 @@ void App::draw_menu_bar() {
     ImGui::EndMenu();
   }
   if (noted("Edit", ImGui::BeginMenu("Edit", workspace.document() != nullptr))) {
-    item("Undo", Action::kUndo);
-    item("Redo", Action::kRedo);
+    item("Undo", Action::kUndo, true, undo_name(*workspace.document()));
+    item("Redo", Action::kRedo, true, workspace.document()->undo_steps().redo_name());
     ImGui::EndMenu();
   }
   if (noted("View", ImGui::BeginMenu("View"))) {

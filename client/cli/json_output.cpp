@@ -106,7 +106,10 @@ Json to_json(const HistoryEntry& entry) {
           {"unix_ms", entry.unix_ms},
           {"kind", edit_kind_name(entry.kind)},
           {"summary", entry.summary},
-          {"enabled", entry.enabled}};
+          {"enabled", entry.enabled},
+          {"name", entry.name},
+          {"details", entry.details},
+          {"radius", entry.radius > 0 ? Json(entry.radius) : Json()}};
 }
 
 Json to_json(const SessionPeople& people) {

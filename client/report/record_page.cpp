@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "client/report/entry_text.h"
 #include "client/report/length_text.h"
 #include "client/report/processing_record.h"
 #include "client/report/time_text.h"
@@ -151,6 +152,10 @@ std::string histogram(const Deviation& deviation, const std::string& unit) {
          range + " outwards</text></svg>\n";
 }
 
+std::string details_in_row(const std::string& details) {
+  return details.empty() ? details : "<br><small>" + escaped(details) + "</small>";
+}
+
 std::string edits(const ProcessingRecord& record) {
   std::string text = "<h2>Edits</h2>\n";
   if (record.is_edited_since)
@@ -160,8 +165,8 @@ std::string edits(const ProcessingRecord& record) {
   for (const HistoryEntry& entry : record.edits)
     text += std::string(entry.enabled ? "<tr>" : "<tr class=\"off\">") + "<td>" +
             std::to_string(entry.number) + "</td><td>" + utc_text(entry.unix_ms) + "</td><td>" +
-            escaped(or_unnamed(entry.author)) + "</td><td>" + escaped(entry.summary) +
-            "</td></tr>\n";
+            escaped(or_unnamed(entry.author)) + "</td><td>" + escaped(entry_name(entry)) +
+            details_in_row(entry_details(entry, record.scan.unit)) + "</td></tr>\n";
   return text + "</table>\n";
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace burnish {
@@ -26,20 +28,32 @@ class UndoSteps {
     undone_.clear();
   }
 
-  /// Return how many edits to undo or redo, 1 at least.
-  int undo() { return move_last(done_, undone_); }
-  int redo() { return move_last(undone_, done_); }
-
- private:
-  static int move_last(std::vector<int>& from, std::vector<int>& to) {
-    const int edits = from.empty() ? 1 : from.back();
-    if (!from.empty()) from.pop_back();
-    to.push_back(edits);
+  /// Return how many edits to undo or redo, 1 at least. `name`: of the step, for redo_name().
+  int undo(std::string name = {}) {
+    const int edits = next_undo();
+    if (!done_.empty()) done_.pop_back();
+    undone_.push_back({edits, std::move(name)});
+    return edits;
+  }
+  int redo() {
+    const int edits = undone_.empty() ? 1 : undone_.back().edits;
+    if (!undone_.empty()) undone_.pop_back();
+    done_.push_back(edits);
     return edits;
   }
 
+  int next_undo() const { return done_.empty() ? 1 : done_.back(); }
+  /// Returns the name of the step that redo() makes again; empty: it is not known.
+  std::string redo_name() const { return undone_.empty() ? std::string() : undone_.back().name; }
+
+ private:
+  struct Undone {
+    int edits;
+    std::string name;
+  };
+
   std::vector<int> done_;
-  std::vector<int> undone_;
+  std::vector<Undone> undone_;
 };
 
 }  // namespace burnish

@@ -19,8 +19,12 @@ struct HistoryEntry {
   EditKind kind = EditKind::kGradientScale;  ///< makes fields, or kSetCheckpoint, kDamaged
   std::string summary;
   bool enabled = true;
+  std::string name;     ///< see EditWords; empty from an older server
+  std::string details;  ///< likewise
+  double radius = 0;    ///< likewise
 };
-BURNISH_RECORD(HistoryEntry, number, edit_id, author, unix_ms, summary, enabled)
+BURNISH_RECORD(HistoryEntry, number, edit_id, author, unix_ms, summary, enabled, name, details,
+               radius)
 
 inline constexpr uint32_t kHistoryPageEntriesMax = 1000;
 

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "common/base/clock.h"
+#include "common/edit/edit_words.h"
 #include "server/manager/session_manager_held.h"
 
 namespace burnish {
@@ -169,8 +170,10 @@ Result<HistoryPage> SessionManager::history(const HistoryWish& wish, const Calle
   HistoryPage page;
   for (; entry != entries.end() && page.entries.size() < wish.count; ++entry) {
     const AuthoredEdit& made_by = *entry->made_by;
+    EditWords words = words_of(made_by.edit);
     page.entries.push_back({entry->number, made_by.edit.id, made_by.author, made_by.unix_ms,
-                            kind_of(made_by.edit), summary(made_by.edit), entry->is_on()});
+                            kind_of(made_by.edit), summary(made_by.edit), entry->is_on(),
+                            std::move(words.name), std::move(words.details), words.radius});
   }
   page.complete = entry == entries.end();
   return page;

@@ -155,7 +155,7 @@ TEST_F(KeptEdgesOfThePage, AScriptWaitsForTheNoiseBeforeItsNextLine) {
   replay("join clean\nkeep_edges auto\nbeta 0.5\n");
   ASSERT_TRUE(until([this] { return has_message("replayed one.script") && is_settled(); }));
   ASSERT_TRUE(until([this] { return document()["history"].size() == 3; }));
-  EXPECT_THAT(document()["history"][0].dump(), HasSubstr("beta"));
+  EXPECT_THAT(document()["history"][0].dump(), HasSubstr("Gradient scale 0.5"));
 }
 
 TEST_F(KeptEdgesOfThePage, AScriptEndsAtANoiseThatCannotBeMeasured) {

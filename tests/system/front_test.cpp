@@ -152,7 +152,7 @@ TEST_F(FrontService, AStrokeOfThePointerIsAnEdit) {
   point("move", 220, 150);
   point("release", 220, 150);
   ASSERT_TRUE(until([this] { return is_settled() && document()["history"].size() == 1; }));
-  EXPECT_THAT(document()["history"][0]["summary"].get<std::string>(), HasSubstr("stroke"));
+  EXPECT_THAT(document()["history"][0]["name"].get<std::string>(), HasSubstr("stroke"));
   EXPECT_TRUE(front_.workspace().viewport.last_hover());
 }
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstdio>
 #include <ctime>
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -9,6 +8,8 @@
 #include "client/app/panels/panels.h"
 #include "client/app/widgets/places.h"
 #include "client/app/widgets/theme.h"
+#include "client/model/documents/undo_words.h"
+#include "client/report/entry_text.h"
 
 namespace burnish {
 
@@ -19,10 +20,10 @@ static float half_width() {
 void HistoryPanel::draw_buttons(Document& document) {
   const ImVec2 half{half_width(), 0};
   if (noted("Undo", ImGui::Button("Undo", half))) document.undo();
-  hint("Takes back your last edit, not those of others.");
+  hint(undo_hint(document).c_str());
   ImGui::SameLine();
   if (ImGui::Button("Redo", half)) document.redo();
-  hint("Makes the edit again that you took back.");
+  hint(redo_hint(document).c_str());
 }
 
 static bool has_checkpoint(const Document& document, const std::string& name) {
@@ -72,6 +73,18 @@ static void draw_checkpoint(const HistoryEntry& entry, Document& document, bool 
   ImGui::TextColored(theme::kAccent, "%s", entry.summary.c_str());
 }
 
+static std::string all_of(const HistoryEntry& entry, const std::string& unit) {
+  char time[32];
+  const time_t seconds = entry.unix_ms / 1000;
+  std::tm local{};
+  localtime_r(&seconds, &local);
+  std::strftime(time, sizeof time, "%F %T", &local);
+  const std::string details = entry_details(entry, unit);
+  return entry_name(entry) + "\n" + (details.empty() ? details : details + "\n") + time + "\nby " +
+         (entry.author.empty() ? "somebody" : entry.author) + ", number " +
+         std::to_string(entry.number);
+}
+
 static void draw_entry(const HistoryEntry& entry, Document& document,
                        std::set<std::string>& checkpoints) {
   ImGui::PushID(static_cast<int>(entry.number));
@@ -86,19 +99,10 @@ static void draw_entry(const HistoryEntry& entry, Document& document,
     ImGui::EndDisabled();
     ImGui::SameLine();
     ImGui::PushStyleColor(ImGuiCol_Text, entry.enabled ? theme::kText : theme::kFaint);
-    ImGui::TextWrapped("%s", entry.summary.c_str());
+    ImGui::TextWrapped("%s", entry_name(entry).c_str());
     ImGui::PopStyleColor();
   }
-  if (ImGui::IsItemHovered()) {
-    char time[32];
-    const time_t seconds = entry.unix_ms / 1000;
-    std::tm local{};
-    localtime_r(&seconds, &local);
-    std::strftime(time, sizeof time, "%F %T", &local);
-    ImGui::SetTooltip("%s\n%s\nby %s, number %llu", entry.summary.c_str(), time,
-                      entry.author.empty() ? "somebody" : entry.author.c_str(),
-                      static_cast<unsigned long long>(entry.number));
-  }
+  if (ImGui::IsItemHovered()) hint(all_of(entry, document.unit()).c_str());
   ImGui::PopID();
 }
 

@@ -4,6 +4,7 @@
 
 #include "client/connection/links.h"
 #include "client/model/documents/figures.h"
+#include "client/model/documents/undo_words.h"
 #include "common/edit/edit_id.h"
 #include "common/edit/preview_change.h"
 #include "common/edit/wavelength.h"
@@ -137,7 +138,7 @@ void Document::commit_together(std::vector<Change> changes) {
 
 void Document::undo() {
   goes_on_ = false;
-  for (int edits = undo_steps_.undo(); edits > 0; --edits) send(Undo{});
+  for (int edits = undo_steps_.undo(undo_name(*this)); edits > 0; --edits) send(Undo{});
 }
 
 void Document::redo() {
@@ -257,10 +258,9 @@ void Document::name_unit(const std::string& unit) {
 }
 
 bool Document::is_settled() const {
-  return link_ == LinkState::kLive && unacknowledged_ == 0 && gesture_.empty() && trial_.empty() &&
-         !is_trial_leaving_ && stats_.frames > 0 && stats_.frame.settled &&
-         stats_.frame.edits >= edits_known_ && told_.edits >= edits_known_ &&
-         !history_fetch_->running;
+  return link_ == LinkState::kLive && gesture_.empty() && trial_.empty() && !is_trial_leaving_ &&
+         stats_.frames > 0 && stats_.frame.settled && stats_.frame.edits >= edits_known_ &&
+         has_newest_history();
 }
 
 bool Document::is_picture_fine() const {

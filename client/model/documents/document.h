@@ -187,6 +187,7 @@ class Document {
   /// Undo and redo take all edits of a preset at once, and all strokes of a gesture.
   void undo();
   void redo();
+  const UndoSteps& undo_steps() const { return undo_steps_; }
   void switch_entry(uint64_t number, bool on) { send(SwitchEntry{number, on}); }
   void set_checkpoint(const std::string& name) { send(SetCheckpoint{name}); }
   void restore_checkpoint(const std::string& name) { send(RestoreCheckpoint{name}); }
@@ -210,6 +211,10 @@ class Document {
   const std::string& unit() const { return opened_.scan.scan.unit; }
 
   const std::vector<HistoryEntry>& history() const { return history_; }
+  /// Returns whether the history has every edit that is known here.
+  bool has_newest_history() const {
+    return unacknowledged_ == 0 && told_.edits >= edits_known_ && !history_fetch_->running;
+  }
   const SessionPeople& people() const { return people_; }
   const Welcome& welcome() const { return welcome_; }
   const LinkStats& stats() const { return stats_; }

@@ -42,12 +42,18 @@ class Entry:
     summary: str
     """In a few words; a checkpoint's name."""
     enabled: bool
+    name: str = ""
+    """For people: "Smooth stroke". Later versions may say it otherwise; empty from an older server."""
+    details: str = ""
+    """What the name does not say, but for the radius."""
+    radius: float = 0.0
+    """Of a stroke's brush, the scan's units; 0: it has none."""
 
     @classmethod
     def of(cls, message: editing_pb2.HistoryEntry) -> Entry:
         time = datetime.datetime.fromtimestamp(message.unix_ms / 1000, datetime.timezone.utc)
         return cls(message.number, message.author, time, _kind(message), message.summary,
-                   message.enabled)
+                   message.enabled, message.name, message.details, message.radius)
 
 
 @dataclasses.dataclass(frozen=True)

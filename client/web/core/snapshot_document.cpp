@@ -3,6 +3,8 @@
 
 #include "client/model/documents/depth_choice.h"
 #include "client/model/documents/figures.h"
+#include "client/model/documents/undo_words.h"
+#include "client/report/entry_text.h"
 #include "client/web/core/snapshot.h"
 #include "common/mesh/export_formats.h"
 
@@ -67,11 +69,14 @@ void write_history(const Document& document, JsonWriter& json) {
   for (auto entry = history.rbegin(); entry != history.rend(); ++entry) {
     const bool is_checkpoint = entry->kind == EditKind::kSetCheckpoint;
     json.open().whole("number", whole_of(entry->number)).text("kind", kind_word(entry->kind));
-    json.flag("enabled", entry->enabled).text("summary", entry->summary);
+    json.flag("enabled", entry->enabled).text("name", entry_name(*entry));
+    json.text("details", entry_details(*entry, document.unit()));
     json.text("author", entry->author).whole("time", entry->unix_ms / 1000);
     json.flag("superseded", is_checkpoint && !later.insert(entry->summary).second).close();
   }
   json.close_list();
+  json.text("undoHint", undo_hint(document)).text("redoHint", redo_hint(document));
+  json.text("undoName", undo_name(document)).text("redoName", document.undo_steps().redo_name());
 }
 
 void write_people(const Document& document, JsonWriter& json) {

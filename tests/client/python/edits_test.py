@@ -37,6 +37,9 @@ class Edits(Sdk):
         self.assertEqual([entry.kind for entry in self.session.history()],
                          ["gradient scale", "transfer curve", "controls", "equaliser", "palette",
                           *["stroke"] * 3, *["protect"] * 6])
+        stroke = list(self.session.history())[5]
+        self.assertEqual((stroke.name, stroke.details, stroke.radius),
+                         ("Sharpen stroke", f"β 2.5, brush strength 0.8, {len(path)} points", 2))
         self.assertEqual({entry.author for entry in self.session.history()}, {"Zoë"})
         state = self.session.state()
         self.assertEqual((state.beta, state.controls.cap, state.edits), (0.5, 0.5, 14))

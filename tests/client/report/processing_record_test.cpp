@@ -69,6 +69,18 @@ TEST(ProcessingRecord, PageShowsNamesAsTheyAreWritten) {
   EXPECT_THAT(page, HasSubstr("0.5 mm"));
 }
 
+TEST(ProcessingRecord, NamesEditsForPeopleOnThePageAloneAndKeepsTheWordsOfPrograms) {
+  ProcessingRecord record = record_of_head();
+  record.edits[1].name = "Smooth stroke";
+  record.edits[1].details = "β 0";
+  record.edits[1].radius = 0.0046919;
+  const std::string page = record_page(record);
+  EXPECT_THAT(page, HasSubstr("Smooth stroke<br><small>radius 0.00469 mm, β 0</small>"));
+  EXPECT_THAT(page, Not(HasSubstr("stroke &amp; more")));
+  const auto json = nlohmann::json::parse(record_json(record));
+  EXPECT_EQ(json["edits"][1]["what"], "stroke & more");
+}
+
 TEST(ProcessingRecord, PageMarksEntriesThatAreOff) {
   const std::string page = record_page(record_of_head());
   const size_t off = page.find("class=\"off\"><td>");

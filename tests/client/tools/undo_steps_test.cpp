@@ -23,6 +23,20 @@ TEST(UndoSteps, JoinedEditsAreUndoneAndRedoneTogetherHoweverLongAgo) {
   EXPECT_EQ(steps.redo(), 1);
 }
 
+TEST(UndoSteps, RedoNamesTheStepThatWasTakenBackLast) {
+  UndoSteps steps;
+  steps.add();
+  EXPECT_EQ(steps.next_undo(), 1);
+  EXPECT_EQ(steps.redo_name(), "");
+  steps.undo("Smooth stroke");
+  steps.undo("Limits");
+  EXPECT_EQ(steps.redo_name(), "Limits");
+  steps.redo();
+  EXPECT_EQ(steps.redo_name(), "Smooth stroke");
+  steps.add();
+  EXPECT_EQ(steps.redo_name(), "");
+}
+
 TEST(UndoSteps, ANewEditLeavesNothingToRedo) {
   UndoSteps steps;
   steps.add();

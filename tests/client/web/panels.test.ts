@@ -411,9 +411,11 @@ test("ColoursAreFilteredAndShown", () =>
 test("HistorySwitchesRestoresAndForks", () =>
   bench.visitSession(async (visit) => {
     const panel = visit.page.getByRole("region", { name: "History" });
-    await panel.getByRole("checkbox", { name: "Entry 4: stroke of 12 dabs, β 0" }).click();
+    await panel.getByRole("checkbox", { name: "Entry 4: Smooth stroke" }).click();
     await visit.sent("switch 4 off");
-    assert.match(await panel.getByRole("listitem").first().innerText(), /mia$/, "several people made edits");
+    const first = panel.getByRole("listitem").first();
+    assert.match(await first.innerText(), /mia$/, "several people made edits");
+    assert.match((await first.getAttribute("title"))!, /^Smooth stroke\nradius 4.69 mm, β 0, 12 points\n/);
     await panel.getByRole("button", { name: "Undo" }).click();
     await visit.sent("undo");
     await panel.getByRole("button", { name: "Restore before carving" }).click();
@@ -433,10 +435,10 @@ test("HistorySwitchesRestoresAndForks", () =>
 test("UndoSaysWhoseEditsItTakesBack", () =>
   bench.visitSession(async (visit) => {
     const undo = visit.page.getByRole("region", { name: "History" }).getByRole("button", { name: "Undo" });
-    assert.match((await undo.getAttribute("title"))!, /your last edit/);
+    assert.match((await undo.getAttribute("title"))!, /others: Smooth stroke.$/);
     await visit.document({ people: [{ connection: 1, user: "", colour: 0xd9534f, role: "owner", me: true }] });
     await visit.page.getByText("guest (you)").waitFor();
-    assert.match((await undo.getAttribute("title"))!, /anybody without a name/);
+    assert.match((await undo.getAttribute("title"))!, /The start page asks for yours.$/);
   }));
 
 test("OwnersChangeRolesAndOthersSeeThem", () =>

@@ -14,7 +14,8 @@ HistoryPage page_of_all_kinds() {
   for (size_t i = 0; i < std::variant_size_v<Change>; ++i) {
     const auto kind = static_cast<EditKind>(i);
     if (makes_fields(kind) || kind == EditKind::kSetCheckpoint || kind == EditKind::kDamaged)
-      page.entries.push_back({i + 1, "id", "ann", 123, kind, "what", false});
+      page.entries.push_back(
+          {i + 1, "id", "ann", 123, kind, "what", false, "name", "details", 0.5});
   }
   return page;
 }
@@ -30,6 +31,10 @@ TEST(HistoryWire, APageComesBackUnchanged) {
     EXPECT_EQ(back.entries[i].kind, page.entries[i].kind);
     EXPECT_EQ(back.entries[i].author, "ann");
     EXPECT_FALSE(back.entries[i].enabled);
+    EXPECT_EQ(back.entries[i].summary, "what");
+    EXPECT_EQ(back.entries[i].name, "name");
+    EXPECT_EQ(back.entries[i].details, "details");
+    EXPECT_EQ(back.entries[i].radius, 0.5);
   }
 }
 

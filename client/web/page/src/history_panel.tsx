@@ -17,17 +17,13 @@ export function HistoryPanel({ document }: PanelProps) {
       <Row>
         <Button
           label="Undo"
-          hint={
-            isNamed
-              ? "Takes back your last edit, not those of others."
-              : "Takes back the last edit of anybody without a name. The start page asks for yours."
-          }
+          hint={document.undoHint + (isNamed ? "" : " The start page asks for yours.")}
           disabled={disabled}
           onClick={() => link.send(command.undo())}
         />
         <Button
           label="Redo"
-          hint="Makes the edit again that you took back."
+          hint={document.redoHint}
           disabled={disabled}
           onClick={() => link.send(command.redo())}
         />
@@ -46,20 +42,21 @@ export function HistoryPanel({ document }: PanelProps) {
 function Entry({ document, entry }: { document: Document; entry: HistoryEntry }) {
   const link = useLink();
   const disabled = isViewer(document);
-  const title = `${entry.summary}\n${timeOf(entry.time)}\nby ${entry.author || "somebody"}, number ${entry.number}`;
+  const made = `${timeOf(entry.time)}\nby ${entry.author || "somebody"}, number ${entry.number}`;
+  const title = [entry.name, entry.details, made].filter((text) => text).join("\n");
   if (entry.kind === "checkpoint" && entry.superseded)
-    return <li class="faint" title={title}>{`${entry.summary}, set again later`}</li>;
+    return <li class="faint" title={title}>{`${entry.name}, set again later`}</li>;
   if (entry.kind === "checkpoint")
     return (
       <li title={title}>
         <Button
           label="Restore"
-          name={`Restore ${entry.summary}`}
+          name={`Restore ${entry.name}`}
           hint="Goes back to this state. The edits after it are switched off."
           disabled={disabled}
-          onClick={() => link.send(command.restore(entry.summary))}
+          onClick={() => link.send(command.restore(entry.name))}
         />
-        <span class="accent">{entry.summary}</span>
+        <span class="accent">{entry.name}</span>
         <Author {...{ document, entry }} />
       </li>
     );
@@ -68,7 +65,7 @@ function Entry({ document, entry }: { document: Document; entry: HistoryEntry })
       <label class={entry.enabled ? "check" : "check faint"}>
         <input
           type="checkbox"
-          aria-label={`Entry ${entry.number}: ${entry.summary}`}
+          aria-label={`Entry ${entry.number}: ${entry.name}`}
           checked={entry.enabled}
           disabled={disabled || entry.kind === "damaged"}
           onChange={(event) => {
@@ -76,7 +73,7 @@ function Entry({ document, entry }: { document: Document; entry: HistoryEntry })
             link.send(command.switchEntry(entry.number, !entry.enabled));
           }}
         />
-        {entry.summary}
+        {entry.name}
       </label>
       <Author {...{ document, entry }} />
     </li>
@@ -94,7 +91,7 @@ function Checkpoint({ document }: PanelProps) {
   const [typed, setTyped] = useState("");
   const name = typed.trim();
   const isThere = document.history.some(
-    (entry) => entry.kind === "checkpoint" && entry.summary === name,
+    (entry) => entry.kind === "checkpoint" && entry.name === name,
   );
   const set = () => {
     if (isThere)

@@ -4,6 +4,8 @@ import { useEffect, useRef, useState } from "preact/hooks";
 
 export interface MenuItem {
   label: string;
+  /** What it does it to, behind the label. */
+  what?: string;
   key?: string;
   disabled?: boolean;
   /** Present for what is on or off. */
@@ -64,7 +66,7 @@ export function Menu({ name, items }: { name: string; items: MenuItem[] }) {
                 item.run();
               }}
             >
-              <span>{(item.checked ? "✓ " : "") + item.label}</span>
+              <span>{(item.checked ? "✓ " : "") + item.label + (item.what ? `: ${item.what}` : "")}</span>
               <span class="faint">{item.key}</span>
             </button>
           ))}

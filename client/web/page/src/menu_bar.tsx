@@ -41,8 +41,8 @@ export function MenuBar(props: MenuBarProps) {
           <Menu
             name="Edit"
             items={[
-              { label: "Undo", key: keyNamed("undo"), run: send(command.undo()) },
-              { label: "Redo", key: keyNamed("redo"), run: send(command.redo()) },
+              { label: "Undo", what: document.undoName, key: keyNamed("undo"), run: send(command.undo()) },
+              { label: "Redo", what: document.redoName, key: keyNamed("redo"), run: send(command.redo()) },
             ]}
           />
         )}

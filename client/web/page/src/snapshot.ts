@@ -159,7 +159,10 @@ export interface HistoryEntry {
   number: number;
   kind: "edit" | "checkpoint" | "damaged";
   enabled: boolean;
-  summary: string;
+  /** "Smooth stroke"; a checkpoint's name. */
+  name: string;
+  /** "radius 4.69 mm, β 0, ..."; empty: the name says all. */
+  details: string;
   author: string;
   time: number;
   /** A checkpoint whose name was set again later. */
@@ -324,6 +327,11 @@ export interface Document {
 
   /** Newest first. */
   history: HistoryEntry[];
+  undoHint: string;
+  redoHint: string;
+  /** The step that the button takes back or makes again; empty: not known, or none. */
+  undoName: string;
+  redoName: string;
   people: Person[];
   view: View;
   scale: ColourScale | null;

@@ -118,7 +118,7 @@ test("ExportHasAProcessingRecordBesideIt", () =>
       record.edits.map(({ what }) => what),
       ["beta 0.5"],
     );
-    assert.match((await read("carved-record.html")).toString(), /beta 0\.5/);
+    assert.match((await read("carved-record.html")).toString(), /Gradient scale 0\.5/);
   }));
 
 test("RecordedScriptGivesTheSameExportByteForByte", () =>
