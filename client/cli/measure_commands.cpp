@@ -6,6 +6,7 @@
 #include "client/cli/print_json.h"
 #include "client/cli/server_option.h"
 #include "client/report/length_text.h"
+#include "client/report/moves_text.h"
 #include "client/report/section_file.h"
 
 namespace burnish {
@@ -42,6 +43,9 @@ void print(const SessionDeviation& measured, const ScanInfo& scan) {
   row("rms", deviation.rms);
   row("outwards", deviation.outward_max);
   row("inwards", deviation.inward_max);
+  for (size_t axis = 0; deviation.axes && axis < 3; ++axis)
+    std::printf("along %-8c %s\n", "xyz"[axis],
+                moves_text((*deviation.axes)[axis], scan.unit).c_str());
   if (scan.statistics.is_closed())
     std::printf("%-14s %+.4f %%\n", "volume",
                 100 * (deviation.volume_after / deviation.volume_before - 1));

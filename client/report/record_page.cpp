@@ -6,6 +6,7 @@
 
 #include "client/report/entry_text.h"
 #include "client/report/length_text.h"
+#include "client/report/moves_text.h"
 #include "client/report/processing_record.h"
 #include "client/report/time_text.h"
 
@@ -120,8 +121,10 @@ std::string deviation_facts(const Deviation& deviation, const ScanInfo& scan) {
       .add("Mean", length_text(deviation.mean, scan.unit, kDeviationDigits))
       .add("Root mean square", length_text(deviation.rms, scan.unit, kDeviationDigits))
       .add("Outwards at most", length_text(deviation.outward_max, scan.unit, kDeviationDigits))
-      .add("Inwards at most", length_text(deviation.inward_max, scan.unit, kDeviationDigits))
-      .add("Area", percent_text(deviation.area_after, deviation.area_before));
+      .add("Inwards at most", length_text(deviation.inward_max, scan.unit, kDeviationDigits));
+  for (size_t axis = 0; deviation.axes && axis < 3; ++axis)
+    facts.add(std::string("Along ") + "xyz"[axis], moves_text((*deviation.axes)[axis], scan.unit));
+  facts.add("Area", percent_text(deviation.area_after, deviation.area_before));
   if (scan.statistics.is_closed())
     facts.add("Volume", percent_text(deviation.volume_after, deviation.volume_before));
   return facts.end();

@@ -90,6 +90,22 @@ void add_ways(std::span<const Vec3d> before, std::span<const Vec3d> after,
   deviation.rms = std::sqrt(squares / deviation.area_before);
 }
 
+AxisMoves moves_along(int axis, std::span<const Vec3d> before, std::span<const Vec3d> after,
+                      std::span<const double> areas, double area) {
+  AxisMoves moves;
+  double squares = 0;
+  for (size_t v = 0; v < before.size(); ++v) {
+    if (areas[v] == 0) continue;
+    const double move = after[v][axis] - before[v][axis];
+    moves.least = std::min(moves.least, move);
+    moves.most = std::max(moves.most, move);
+    moves.mean += areas[v] * move / area;
+    squares += areas[v] * move * move;
+  }
+  moves.rms = std::sqrt(squares / area);
+  return moves;
+}
+
 void add_heights(std::span<const double> heights, std::span<const double> areas,
                  Deviation& deviation) {
   for (size_t v = 0; v < heights.size(); ++v) {
@@ -125,6 +141,10 @@ Deviation deviation_of(std::span<const Vec3d> before, std::span<const Vec3d> aft
   const std::vector<double> heights = heights_of(before, after, shape);
   add_heights(heights, shape.areas, deviation);
   add_histogram(heights, shape.areas, deviation);
+  deviation.axes.emplace();
+  for (int axis = 0; axis < 3; ++axis)
+    (*deviation.axes)[static_cast<size_t>(axis)] =
+        moves_along(axis, before, after, shape.areas, deviation.area_before);
   return deviation;
 }
 

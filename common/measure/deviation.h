@@ -2,12 +2,27 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "common/base/record.h"
 #include "common/base/types.h"
 
 namespace burnish {
+
+/// Moves along an axis of the coordinates, by their sign. Averages are over the surface before.
+struct AxisMoves {
+  double least = 0;  ///< at most 0
+  double most = 0;   ///< at least 0
+  double mean = 0;
+  double rms = 0;  ///< root of the mean of their squares
+
+  double farthest() const { return most >= -least ? most : least; }
+  /// Returns the same moves along the opposite axis.
+  AxisMoves reversed() const { return {-most, -least, -mean, rms}; }
+};
+
+BURNISH_RECORD(AxisMoves, least, most, mean, rms)
 
 /// How far an edit moved a surface. Lengths in file units; averages over the surface before. A
 /// vertex stands for a third of the area of its triangles. Its normal is that of
@@ -28,6 +43,8 @@ struct Deviation {
   double volume_after = 0;
   double histogram_range = 0;                ///< bins are even from -range to range
   std::array<double, kBins> histogram = {};  ///< fraction of the area by its move along the normal
+  /// Along x, y and z; nothing from an older server.
+  std::optional<std::array<AxisMoves, 3>> axes;
 
   /// A way of no length anywhere.
   bool is_zero() const { return max == 0; }

@@ -14,6 +14,8 @@ v1::Deviation to_wire(const SessionDeviation& measured) {
   message.set_histogram_range(deviation.histogram_range);
   for (const double fraction : deviation.histogram) message.add_histogram(fraction);
   message.set_settled(measured.settled);
+  if (deviation.axes)
+    for (const AxisMoves& moves : *deviation.axes) write_fields(moves, *message.add_axes());
   return message;
 }
 
@@ -28,6 +30,13 @@ Result<SessionDeviation> from_wire(const v1::Deviation& message) {
   deviation.histogram_range = message.histogram_range();
   std::ranges::copy(message.histogram(), deviation.histogram.begin());
   measured.settled = message.settled();
+  if (message.axes_size() == 0) return measured;  // of an older server
+  if (message.axes_size() != 3)
+    return data_loss("the deviation has " + std::to_string(message.axes_size()) +
+                     " axes, expected 3");
+  deviation.axes.emplace();
+  for (int axis = 0; axis < 3; ++axis)
+    read_fields(message.axes(axis), (*deviation.axes)[static_cast<size_t>(axis)]);
   return measured;
 }
 

@@ -113,7 +113,11 @@ TEST_F(FrontService, FiguresAreNotThoseOfTheSurfaceUntilTheyAreMeasuredAgain) {
   ASSERT_TRUE(until([this] { return document()["numbers"]["current"] == false; }));
   EXPECT_EQ(document()["numbers"]["deviation"], still);
   ASSERT_TRUE(until([this] { return document()["numbers"]["current"] == true; }));
-  EXPECT_NE(document()["numbers"]["deviation"], still);
+  const Json moved = document()["numbers"]["deviation"];
+  EXPECT_NE(moved, still);
+  EXPECT_EQ(moved[5]["name"], "along y");
+  line("up z");
+  EXPECT_TRUE(until([this] { return document()["numbers"]["deviation"][5]["name"] == "along z"; }));
 }
 
 TEST_F(FrontService, NoPictureBeginsWhileTheCardDrawsTheLast) {

@@ -34,12 +34,12 @@ static void number_rows(const std::vector<Figure>& figures) {
   for (const Figure& figure : figures) number_row(figure.name.c_str(), figure.value);
 }
 
-static void draw_deviation(Document& document) {
+static void draw_deviation(Document& document, UpAxis up) {
   document.measuring().follow_deviation(document.shown());
   if (!document.measuring().deviation()) return faint_text("measured when the surface has settled");
   const bool is_current = document.measuring().is_deviation_of(document.shown());
   ImGui::BeginDisabled(!is_current);
-  number_rows(deviation_figures(document));
+  number_rows(deviation_figures(document, up));
   ImGui::EndDisabled();
 }
 
@@ -82,7 +82,7 @@ static void draw_ruler(Document& document, Viewport& viewport) {
 void NumbersPanel::draw(Workspace& workspace) {
   Document& document = *workspace.document();
   draw_unit(document);
-  draw_deviation(document);
+  draw_deviation(document, workspace.viewport.camera.up);
   draw_deviation_histogram(document);
   draw_ruler(document, workspace.viewport);
 }

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "client/report/length_text.h"
+#include "client/report/moves_text.h"
 
 namespace burnish {
 
@@ -47,7 +48,19 @@ std::vector<Figure> link_figures(const Document& document) {
   return figures;
 }
 
-std::vector<Figure> deviation_figures(const Document& document) {
+static std::vector<Figure> upward_figures(const Deviation& deviation, UpAxis up,
+                                          const std::string& unit) {
+  if (!deviation.axes) return {};
+  const auto axis = static_cast<size_t>(up);
+  const AxisMoves& moves = (*deviation.axes)[axis % 3];
+  const AxisMoves upwards = axis < 3 ? moves : moves.reversed();
+  const std::string along = "along " + std::string(name_of(up));
+  return {{along, signed_length_text(upwards.farthest(), unit)},
+          {"mean " + along, signed_length_text(upwards.mean, unit)},
+          {"rms " + along, length_text(upwards.rms, unit, kDeviationDigits)}};
+}
+
+std::vector<Figure> deviation_figures(const Document& document, UpAxis up) {
   const auto& measured = document.measuring().deviation();
   if (!measured) return {};
   const Deviation& deviation = measured->deviation;
@@ -58,6 +71,7 @@ std::vector<Figure> deviation_figures(const Document& document) {
       {"rms", length_text(deviation.rms, unit, kDeviationDigits)},
       {"outwards", length_text(deviation.outward_max, unit, kDeviationDigits)},
       {"inwards", length_text(deviation.inward_max, unit, kDeviationDigits)}};
+  for (Figure& figure : upward_figures(deviation, up, unit)) figures.push_back(std::move(figure));
   if (document.is_closed() && deviation.volume_before != 0)
     figures.push_back(
         {"volume",

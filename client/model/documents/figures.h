@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "client/model/documents/document.h"
+#include "client/scene/up_axis.h"
 
 namespace burnish {
 
@@ -20,8 +21,8 @@ const char* state_word(const Document& document);
 /// How the solver and the link do. Needs: a first frame.
 std::vector<Figure> link_figures(const Document& document);
 
-/// How far the surface has moved; empty until it is measured.
-std::vector<Figure> deviation_figures(const Document& document);
+/// How far the surface has moved, and how far upwards; empty until it is measured.
+std::vector<Figure> deviation_figures(const Document& document, UpAxis up);
 
 /// Says how many of the scan's rims stay; empty where none is known.
 std::string rims_text(const Document& document);

@@ -19,7 +19,7 @@ from .errors import (AlreadyExists, Cancelled, Damaged, DeadlineExceeded, Error,
                      Unimplemented)
 from .frame import Frame
 from .gesture import Gesture
-from .history import Deviation, Entry, Exported, State
+from .history import AxisMoves, Deviation, Entry, Exported, State
 from .live import Live
 from .local import Filtered, filter, filter_all, filter_mesh, filter_vertices
 from .mesh import Mesh, load_ply
@@ -34,7 +34,7 @@ from .serving import Server, serve
 from .session import Session
 
 __all__ = [
-    "AlreadyExists", "Band", "Brush", "Cancelled", "CellEdges", "CellFields", "CellProtection", "CellTexture",
+    "AlreadyExists", "AxisMoves", "Band", "Brush", "Cancelled", "CellEdges", "CellFields", "CellProtection", "CellTexture",
     "ClearProtected", "ColourFilter", "Connection", "Controls", "Damaged", "DeadlineExceeded", "Deviation", "EdgeFilter",
     "EdgeProposal", "Entry", "Equaliser", "Error", "Exported", "FailedPrecondition", "Filtered",
     "Frame", "Gesture", "GradientScale", "GrowProtected", "Histogram", "Internal",

@@ -106,6 +106,18 @@ class State:
 
 
 @dataclasses.dataclass(frozen=True)
+class AxisMoves:
+    """Moves along an axis; those towards larger coordinates count positive. Means are over the area."""
+
+    least: float
+    """At most 0."""
+    most: float
+    """At least 0."""
+    mean: float
+    rms: float
+
+
+@dataclasses.dataclass(frozen=True)
 class Deviation:
     """How far edits moved a surface. Lengths are in the scan's units; means are over the area."""
 
@@ -123,6 +135,8 @@ class Deviation:
     histogram: npt.NDArray[np.float64]
     """n fractions of the area."""
     settled: bool
+    along: tuple[AxisMoves, ...] = ()
+    """x, y and z; empty from an older server."""
 
     @classmethod
     def of(cls, message: editing_pb2.Deviation) -> Deviation:
@@ -131,7 +145,8 @@ class Deviation:
         return cls(message.max, message.mean, message.rms, message.outward_max,
                    message.inward_max, (message.area_before, message.area_after),
                    (message.volume_before, message.volume_after),
-                   np.linspace(-reach, reach, len(histogram) + 1), histogram, message.settled)
+                   np.linspace(-reach, reach, len(histogram) + 1), histogram, message.settled,
+                   tuple(AxisMoves(one.least, one.most, one.mean, one.rms) for one in message.axes))
 
 
 @dataclasses.dataclass(frozen=True)

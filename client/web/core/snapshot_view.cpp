@@ -40,11 +40,11 @@ void write_figures(const char* name, const std::vector<Figure>& figures, JsonWri
 }
 
 // Roots of the areas, so that a small part is seen beside the part that stays.
-void write_numbers(const Document& document, JsonWriter& json) {
+void write_numbers(const Document& document, UpAxis up, JsonWriter& json) {
   const auto& measured = document.measuring().deviation();
   const bool has_moved = measured && !measured->deviation.is_zero();
   json.key("numbers").open();
-  write_figures("deviation", deviation_figures(document), json);
+  write_figures("deviation", deviation_figures(document, up), json);
   json.flag("current", document.measuring().is_deviation_of(document.shown()));
   json.key("histogram").open_list();
   if (has_moved)
@@ -62,7 +62,7 @@ void write_numbers(const Document& document, JsonWriter& json) {
 void write_view(const Workspace& workspace, JsonWriter& json) {
   write_options(workspace, json);
   write_scale(workspace, json);
-  write_numbers(*workspace.document(), json);
+  write_numbers(*workspace.document(), workspace.viewport.camera.up, json);
 }
 
 }  // namespace burnish

@@ -219,6 +219,12 @@ class Edits(Sdk):
         deviation = self.session.deviation()
         self.assertAlmostEqual(deviation.max, moved, delta=1e-3)
         self.assertAlmostEqual(deviation.histogram.sum(), 1)
+        moves = self.session.mesh().vertices - self.mesh.vertices
+        for axis, along in enumerate(deviation.along):
+            self.assertAlmostEqual(along.least, moves[:, axis].min(), delta=1e-3)
+            self.assertAlmostEqual(along.most, moves[:, axis].max(), delta=1e-3)
+            self.assertLessEqual(abs(along.mean), along.rms)
+        self.assertEqual(len(deviation.along), 3)
         original, edited = self.session.section([0, 0, 0], [0, 0, 1])
         radii = [np.linalg.norm(np.concatenate(lines), axis=1) for lines in (original, edited)]
         self.assertAlmostEqual(radii[0].mean(), 10, delta=0.5)

@@ -30,6 +30,7 @@ ProcessingRecord record_of_head() {
   record.result.sha256 = std::string(64, 'b');
   record.result.deviation = Deviation{.max = 0.5, .rms = 0.125, .histogram_range = 0.5};
   record.result.deviation->histogram[32] = 1;
+  record.result.deviation->axes = std::array<AxisMoves, 3>{{{}, {}, {-0.25, 0.125, -0.0625, 0.1}}};
   return record;
 }
 
@@ -46,6 +47,14 @@ TEST(ProcessingRecord, SaysAsJsonWhoDidWhat) {
   EXPECT_EQ(json["edits"][0]["what"], "beta 0.25");
   EXPECT_EQ(json["edits"][1]["on"], false);
   EXPECT_EQ(json["edited_since"], false);
+}
+
+TEST(ProcessingRecord, SaysHowFarTheSurfaceMovedAlongEachAxis) {
+  EXPECT_THAT(record_page(record_of_head()),
+              HasSubstr("at most -0.25 mm, mean -0.0625 mm, rms 0.1 mm"));
+  const auto axes = nlohmann::json::parse(record_json(record_of_head()))["deviation"]["axes"];
+  EXPECT_EQ(axes["z"]["least"], -0.25);
+  EXPECT_EQ(axes["x"]["most"], 0);
 }
 
 TEST(ProcessingRecord, HasEverySettingOfTheSession) {

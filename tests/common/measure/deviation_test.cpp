@@ -95,6 +95,29 @@ TEST(Deviation, WeighsAVertexByItsArea) {
   EXPECT_EQ(found.farthest, Vec3d(0, 0, 0));
 }
 
+TEST(Deviation, SaysHowFarTheSurfaceMovedAlongEachAxis) {
+  const std::vector<Vec3d> before = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0},
+                                     {5, 0, 0}, {6, 0, 0}, {5, 1, 0}};
+  std::vector<Vec3d> after = before;
+  for (size_t v = 0; v < 3; ++v) after[v].z() = -6;
+  for (size_t v = 3; v < 6; ++v) after[v] += Vec3d(0, 1, 2);
+  const std::vector<Triangle> triangles = {{0, 1, 2}, {3, 4, 5}};
+  const auto axes = deviation_of(before, after, triangles).axes;
+  ASSERT_TRUE(axes.has_value());
+  const auto& [x, y, z] = *axes;
+  EXPECT_EQ(x.farthest(), 0);
+  EXPECT_EQ(x.rms, 0);
+  EXPECT_DOUBLE_EQ(y.most, 1);
+  EXPECT_EQ(y.least, 0);
+  EXPECT_DOUBLE_EQ(y.mean, 0.5);
+  EXPECT_DOUBLE_EQ(z.farthest(), -6);
+  EXPECT_DOUBLE_EQ(z.most, 2);
+  EXPECT_DOUBLE_EQ(z.mean, -2);
+  EXPECT_DOUBLE_EQ(z.rms, std::sqrt(20));
+  EXPECT_DOUBLE_EQ(z.reversed().farthest(), 6);
+  EXPECT_DOUBLE_EQ(z.reversed().mean, 2);
+}
+
 TEST(Deviation, DoesNotCountVerticesWithoutATriangle) {
   const std::vector<Vec3d> before = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {9, 9, 9}};
   std::vector<Vec3d> after = before;

@@ -14,6 +14,7 @@ SessionDeviation some_deviation() {
   measured.deviation.farthest = {1, 2, 3};
   measured.deviation.volume_after = 7;
   measured.deviation.histogram[63] = 0.25;
+  measured.deviation.axes = std::array<AxisMoves, 3>{{{}, {-1, 2, 0.5, 0.75}, {}}};
   return measured;
 }
 
@@ -25,6 +26,19 @@ TEST(MeasuresWire, DeviationArrivesAsItWasSent) {
   EXPECT_EQ(arrived->deviation.farthest, Vec3d(1, 2, 3));
   EXPECT_EQ(arrived->deviation.volume_after, 7);
   EXPECT_EQ(arrived->deviation.histogram, some_deviation().deviation.histogram);
+}
+
+TEST(MeasuresWire, MovesAlongAxesArriveAndAnOlderServerHasNone) {
+  v1::Deviation message = to_wire(some_deviation());
+  const AxisMoves moves = (*from_wire(message)->deviation.axes)[1];
+  EXPECT_EQ(moves.least, -1);
+  EXPECT_EQ(moves.most, 2);
+  EXPECT_EQ(moves.mean, 0.5);
+  EXPECT_EQ(moves.rms, 0.75);
+  message.mutable_axes()->RemoveLast();
+  EXPECT_EQ(from_wire(message).status().code(), StatusCode::kDataLoss);
+  message.clear_axes();
+  EXPECT_FALSE(from_wire(message)->deviation.axes.has_value());
 }
 
 TEST(MeasuresWire, DeviationWithOtherBinsIsDamaged) {
