@@ -101,7 +101,7 @@ Status App::loop() {
     --pictures;
   }
   if (leave_step_ == Leaving::Step::kLeave) return Status::ok();
-  return failed_precondition(unsaved_text(workspace_->unsaved_edits()) + " and will be lost");
+  return failed_precondition(text_of(workspace_->unsaved()) + " and will be lost");
 }
 
 double App::seconds_to_wait(int pictures) {
@@ -160,8 +160,7 @@ bool App::may_close() {
   using Step = Leaving::Step;
   const auto now = std::chrono::steady_clock::now();
   if (window_->take_close_request() || ended_by_signal) leaving_.begin(Leaving::What::kWindow, now);
-  leave_step_ =
-      leaving_.update(workspace_->unsaved_edits(), workspace_->link() == LinkState::kLive, now);
+  leave_step_ = leaving_.update(workspace_->unsaved(), workspace_->link() == LinkState::kLive, now);
   if (ended_by_signal) return leave_step_ != Step::kSave;  // nobody can answer a question
   if (leave_step_ == Step::kStay) open_next_.clear();
   if (leave_step_ != Step::kLeave) return false;

@@ -99,11 +99,11 @@ Status ScriptRunner::wait_for_noise() {
 // Waits for acknowledgements: a server that answers acknowledges at once.
 Status ScriptRunner::save_edits() {
   const auto is_over = [this] {
-    return workspace_.unsaved_edits() == 0 || workspace_.link() == LinkState::kEnded;
+    return workspace_.unsaved().edits == 0 || workspace_.link() == LinkState::kEnded;
   };
   const Status saved = update_until(is_over, "saving", host_.saving);
-  const size_t unsaved = workspace_.unsaved_edits();
-  return unsaved == 0 ? saved : failed_precondition(unsaved_text(unsaved) + " and will be lost");
+  const Unsaved unsaved{.edits = workspace_.unsaved().edits};
+  return unsaved.is_there() ? failed_precondition(text_of(unsaved) + " and will be lost") : saved;
 }
 
 Status ScriptRunner::run_session(const ScriptLine& line) {

@@ -216,13 +216,13 @@ TEST_F(PrivateWorkspace, StartsItsServerAgainAndBringsWhatWasEditedMeanwhile) {
   data_.kill_server();
   document().preview_beta(0.25);
   document().commit_beta();
-  EXPECT_EQ(workspace_.unsaved_edits(), 1u);
+  EXPECT_EQ(workspace_.unsaved().edits, 1u);
   ASSERT_TRUE(until([this] {
     return document().is_settled() && document().stats().frame.edits == 1 &&
            document().history().size() == 1;
   }));
   EXPECT_NE(data_.server(), first);
-  EXPECT_EQ(workspace_.unsaved_edits(), 0u);
+  EXPECT_EQ(workspace_.unsaved().edits, 0u);
   EXPECT_EQ(errors(), "");
 }
 

@@ -7,9 +7,10 @@
 
 namespace burnish {
 
-static constexpr const char* kQuestion = "Edits are not saved yet";
+static constexpr const char* kQuestion = "Not all is saved yet";
 
-static const char* reason(LinkState link) {
+static const char* reason(const Unsaved& unsaved, LinkState link) {
+  if (unsaved.edits == 0) return "An export is under way.";
   switch (link) {
     case LinkState::kLive:
       return "The server has not answered yet.";
@@ -31,11 +32,12 @@ void draw_leave_question(const Workspace& workspace, Leaving::Step step, Leaving
   if (!ImGui::BeginPopupModal(kQuestion, nullptr, ImGuiWindowFlags_AlwaysAutoResize)) return;
   begin_place_group("Question");
   const LinkState link = workspace.link();
-  ImGui::Text("%s yet.", unsaved_text(workspace.unsaved_edits()).c_str());
-  faint_text("%s", reason(link));
-  if (is_waiting) ImGui::TextColored(theme::kBusy, "Closing as soon as they are saved…");
+  const Unsaved unsaved = workspace.unsaved();
+  ImGui::Text("%s yet.", text_of(unsaved).c_str());
+  faint_text("%s", reason(unsaved, link));
+  if (is_waiting) ImGui::TextColored(theme::kBusy, "Closing as soon as all is saved…");
   ImGui::Dummy({0, em(0.3f)});
-  ImGui::BeginDisabled(is_waiting || link == LinkState::kEnded);
+  ImGui::BeginDisabled(is_waiting || (unsaved.edits > 0 && link == LinkState::kEnded));
   if (noted("Wait", ImGui::Button("Wait", {em(8), 0}))) leaving.wait();
   ImGui::EndDisabled();
   ImGui::SameLine();

@@ -19,12 +19,14 @@ namespace burnish {
 /// the showing thread share it.
 class Activity {
  public:
-  explicit Activity(std::string title) : title_(std::move(title)) {}
+  explicit Activity(std::string title, bool makes_file = false)
+      : title_(std::move(title)), makes_file_(makes_file) {}
   /// Work of several phases: the fraction is that of the whole.
   Activity(std::string title, std::vector<PlannedPhase> plan)
       : title_(std::move(title)), whole_(std::in_place, std::move(plan), Clock::now()) {}
 
   const std::string& title() const { return title_; }
+  bool makes_file() const { return makes_file_; }  ///< which is lost if the program ends
   void cancel() { cancelled_ = true; }
   bool is_cancelled() const { return cancelled_; }
 
@@ -47,6 +49,7 @@ class Activity {
  private:
   using Clock = std::chrono::steady_clock;
   const std::string title_;
+  const bool makes_file_ = false;
   std::atomic<bool> cancelled_{false};
   std::mutex mutex_;  // guards the following members
   State state_;

@@ -10,9 +10,10 @@ void Leaving::begin(What what, Time now) {
   has_begun_ = true;
 }
 
-Leaving::Step Leaving::update(size_t unsaved_edits, bool is_live, Time now) {
+Leaving::Step Leaving::update(const Unsaved& unsaved, bool is_live, Time now) {
   if (!has_begun_) return Step::kStay;
-  if (unsaved_edits == 0 || is_discarding_) return Step::kLeave;
+  const bool is_lost = unsaved.edits > 0 || (what_ == What::kWindow && unsaved.files > 0);
+  if (!is_lost || is_discarding_) return Step::kLeave;
   if (is_waiting_) return Step::kWait;
   if (!is_live || now - begun_ >= kMoment) is_asking_ = true;
   return is_asking_ ? Step::kAsk : Step::kSave;

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <chrono>
-#include <cstddef>
+
+#include "client/model/workspace/unsaved.h"
 
 namespace burnish {
 
-/// Leaves the open session, or the window, once all edits are saved. It gives a server that answers
-/// a moment; if saving takes longer, the user decides.
+/// Leaves the open session, or the window, once all edits are saved and all files written. It gives
+/// a server that answers a moment; if it takes longer, the user decides.
 class Leaving {
  public:
   using Time = std::chrono::steady_clock::time_point;
@@ -15,7 +16,7 @@ class Leaving {
     kStay,   ///< the user does not want to leave
     kSave,   ///< the server has a moment to save
     kAsk,    ///< the user chooses: wait(), discard() or stay()
-    kWait,   ///< the user waits until all edits are saved
+    kWait,   ///< the user waits until all is saved
     kLeave,  ///< leave now
   };
 
@@ -26,7 +27,7 @@ class Leaving {
   void stay() { *this = {}; }
 
   /// Returns the next step. Call once per picture. `is_live`: the server answers.
-  Step update(size_t unsaved_edits, bool is_live, Time now);
+  Step update(const Unsaved& unsaved, bool is_live, Time now);
   What what() const { return what_; }
 
  private:

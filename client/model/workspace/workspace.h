@@ -18,6 +18,7 @@
 #include "client/model/view/view_state.h"
 #include "client/model/view/viewport.h"
 #include "client/model/workspace/strength_strip.h"
+#include "client/model/workspace/unsaved.h"
 
 namespace burnish {
 
@@ -149,7 +150,7 @@ class Workspace {
   /// Says in the log whether all edits are saved.
   void tell_saved();
   /// Returns the number of edits of the open session that its server does not have on disk.
-  size_t unsaved_edits() const { return document_ ? document_->unacknowledged() : 0; }
+  Unsaved unsaved() const;
   /// Returns the link of the open session; kEnded without one.
   LinkState link() const { return document_ ? document_->link() : LinkState::kEnded; }
   bool is_opening() const { return opening_; }
@@ -267,8 +268,5 @@ Result<Connection> open_private_connection(const PrivateServerOptions& options,
 
 /// Returns HOST:PORT for HOST or HOST:PORT; a unix:PATH as it is.
 std::string with_port(const std::string& server);
-
-/// Returns "3 edits are not saved", or "1 edit is not saved".
-std::string unsaved_text(size_t edits);
 
 }  // namespace burnish

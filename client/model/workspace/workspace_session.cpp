@@ -176,13 +176,15 @@ void Workspace::remember_document() {
                                 .size_bytes = bytes_on_disk(scan)});
 }
 
-std::string unsaved_text(size_t edits) {
-  return edits == 1 ? "1 edit is not saved" : std::to_string(edits) + " edits are not saved";
+Unsaved Workspace::unsaved() const {
+  const auto files = std::ranges::count_if(
+      activities_, [](const auto& activity) { return activity->makes_file(); });
+  return {document_ ? document_->unacknowledged() : 0, static_cast<size_t>(files)};
 }
 
 // Each edit is saved as it is made, so there is nothing to do.
 void Workspace::tell_saved() {
-  if (unsaved_edits() > 0) return log.warning(unsaved_text(unsaved_edits()) + " yet");
+  if (unsaved().is_there()) return log.warning(text_of(unsaved()) + " yet");
   log.info("all edits are saved; Export writes a file");
 }
 
@@ -227,9 +229,8 @@ void Workspace::leave_document() {
   strip.close(document_.get());
   is_drawn_ = false;
   save_preferences();
-  if (unsaved_edits() > 0)
-    log.warning(document_->session().name + ": " + unsaved_text(unsaved_edits()) +
-                " and will be lost");
+  if (const Unsaved lost{.edits = unsaved().edits}; lost.is_there())
+    log.warning(document_->session().name + ": " + text_of(lost) + " and will be lost");
   document_.reset();
 }
 
@@ -245,7 +246,7 @@ void Workspace::export_mesh(const std::filesystem::path& file, bool exact, bool 
   recorder.record("wait");
   recorder.record("export " + file.string() + (exact ? " exact" : "") +
                   (with_record ? " record" : ""));
-  start_activity("Exporting " + file.filename().string(),
+  start_activity(std::make_shared<Activity>("Exporting " + file.filename().string(), true),
                  [this, file, wish = ExportWish{.exact = exact, .deviation = with_record},
                   connection = document_->opened().connection,
                   session = document_->session()](const Progress& progress) {

@@ -66,7 +66,8 @@ void write_activities(const Workspace& workspace, FrontState& front, JsonWriter&
     json.open().whole("number", static_cast<int64_t>(front.number_of(activity)));
     json.text("title", activity->title()).text("phase", state.phase);
     json.number("fraction", std::clamp(state.fraction, 0.0, 1.0));
-    json.number("secondsLeft", state.seconds_left.value_or(-1)).close();
+    json.number("secondsLeft", state.seconds_left.value_or(-1));
+    json.flag("makesFile", activity->makes_file()).close();
   }
   json.close_list();
 }

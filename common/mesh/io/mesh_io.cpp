@@ -131,8 +131,7 @@ Result<uint64_t> reading_bytes_max(const std::filesystem::path& path, MeshFormat
   ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(path));
   const uint64_t bytes = file.bytes().size();
   if (format == MeshFormat::kZip) return predict_zip_reading_bytes(file.bytes(), path.string());
-  if (!is_gltf(format))
-    return bytes * kReadingBytesPerFileByte;
+  if (!is_gltf(format)) return bytes * kReadingBytesPerFileByte;
   const auto json = read_gltf_json(file.bytes());  // a reader will say why it is damaged
   return json.is_ok() ? gltf_reading_bytes_max(*json, bytes) : kGltfUnpackedBytesMin;
 }

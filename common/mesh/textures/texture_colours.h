@@ -17,10 +17,10 @@ namespace burnish {
 /// nothing. Needs: valid indices.
 ///
 /// A triangle has the plain colour of its material where a coordinate is missing, not finite or
-/// above kTextureCoordinateMax, where the picture is neither PNG, JPEG nor WebP, and where it is beyond
-/// kTexturePicturesMax pictures or kTexelsMax texels. A picture is decoded row by row and never
-/// kept. `budget` hears the memory of the decoder, and of what a scan takes beside it: about 100
-/// bytes a triangle. `name` is for messages.
+/// above kTextureCoordinateMax, where the picture is neither PNG, JPEG nor WebP, and where it is
+/// beyond kTexturePicturesMax pictures or kTexelsMax texels. A picture is decoded row by row and
+/// never kept. `budget` hears the memory of the decoder, and of what a scan takes beside it: about
+/// 100 bytes a triangle. `name` is for messages.
 ///
 /// Fails: as a picture cannot be read, if the textures refuse damage; as `budget` does.
 Status add_texture_colours(TriangleMesh& mesh, const SurfaceTextures& textures,

@@ -228,6 +228,17 @@ test("BrowserAsksBeforeItLeavesEditsThatWait", () =>
     assert.equal(await asksBeforeItLeaves(visit), true);
   }));
 
+test("BrowserAsksBeforeItLeavesAnExport", () =>
+  bench.visitSession(async (visit) => {
+    const work = { number: 1, title: "Exporting a.ply", phase: "writing", fraction: 0.4, secondsLeft: -1 };
+    await visit.change({ activities: [{ ...work, makesFile: false }] });
+    await visit.page.getByRole("progressbar", { name: "Exporting a.ply" }).waitFor();
+    assert.equal(await asksBeforeItLeaves(visit), false);
+    await visit.change({ activities: [{ ...work, title: "Exporting b.ply", makesFile: true }] });
+    await visit.page.getByRole("progressbar", { name: "Exporting b.ply" }).waitFor();
+    assert.equal(await asksBeforeItLeaves(visit), true);
+  }));
+
 test("SessionIsClosedOverEditsThatWaitOnlyAfterAQuestion", () =>
   bench.visitSession(async (visit) => {
     const close = async () => {

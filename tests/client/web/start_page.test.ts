@@ -134,7 +134,7 @@ test("PageWorksWhereTheBrowserKeepsNothing", () =>
 
 test("LongWorkShowsProgressAndCanBeCancelled", () =>
   bench.visit(async (visit) => {
-    const work = { number: 7, title: "import vase.ply", phase: "uploading", fraction: 0.4, secondsLeft: 12 };
+    const work = { number: 7, title: "import vase.ply", phase: "uploading", fraction: 0.4, secondsLeft: 12, makesFile: false };
     await visit.change({ activities: [work] });
     const bar = visit.page.getByRole("progressbar", { name: "import vase.ply" });
     await bar.waitFor();

@@ -204,11 +204,13 @@ function useDrop(link: EngineLink): void {
   }, []);
 }
 
-/** Lets the browser ask before it closes the page over edits that wait for the server. */
+/** Lets the browser ask before it closes the page over edits that wait for the server, or an export. */
 function useQuestionBeforeLeaving(link: EngineLink): void {
   useEffect(() => {
     const ask = (event: Event) => {
-      if (link.state.snapshot?.document?.unsavedEdits) event.preventDefault();
+      const { snapshot } = link.state;
+      const isExporting = snapshot?.activities.some((activity) => activity.makesFile);
+      if (snapshot?.document?.unsavedEdits || isExporting) event.preventDefault();
     };
     window.addEventListener("beforeunload", ask);
     return () => window.removeEventListener("beforeunload", ask);

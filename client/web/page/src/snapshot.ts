@@ -62,6 +62,8 @@ export interface Activity {
   fraction: number;
   /** Of the whole; -1 if not known. */
   secondsLeft: number;
+  /** It writes a file, which is lost if the page is closed. */
+  makesFile: boolean;
 }
 
 export interface Message {
