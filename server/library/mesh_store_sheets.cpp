@@ -4,11 +4,11 @@
 
 #include <spdlog/spdlog.h>
 
-#include "common/base/mapped_file.h"
 #include "common/mesh/io/mesh_io.h"
 #include "common/mesh/io/textured_surface.h"
 #include "common/mesh/rewrite/moved/moved_mesh.h"
 #include "common/pages/directory_codec.h"
+#include "server/lease/held_file.h"
 #include "server/library/levelled_sheets.h"
 #include "server/library/mesh_store.h"
 #include "server/library/original_texels.h"
@@ -127,7 +127,7 @@ Result<bool> MeshStore::make_sheets(const ScanPages& pages, const SeamWish& seam
   LibraryBudget budget(memory_, folder_.scans());
   RETURN_IF_ERROR(budget.ask_to_read(original, scan.format));
   ASSIGN_OR_RETURN(const uint64_t held_bytes, reading_bytes_max(original, scan.format));
-  ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(original));
+  ASSIGN_OR_RETURN(const HeldFile file, HeldFile::open(original));
   bool is_made = false;
   SheetsReport made;
   const UnfinishedBake::Key key = {pages.scan_id, seams_version(seams)};

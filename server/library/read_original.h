@@ -4,9 +4,9 @@
 #include <memory>
 #include <string>
 
-#include "common/base/mapped_file.h"
 #include "common/base/progress.h"
 #include "common/mesh/io/mesh_io.h"
+#include "server/lease/held_file.h"
 #include "server/memory/library_budget.h"
 
 namespace burnish {
@@ -28,7 +28,7 @@ inline Result<std::shared_ptr<const StoredMesh>> read_original(const std::filesy
                                                                const std::string& name,
                                                                LibraryBudget& budget,
                                                                const Progress& progress) {
-  ASSIGN_OR_RETURN(const MappedFile file, MappedFile::open(path));
+  ASSIGN_OR_RETURN(const HeldFile file, HeldFile::open(path));
   ASSIGN_OR_RETURN(StoredMesh mesh, read_stored_mesh(file.bytes(), format, name, budget.space(),
                                                      reading_budget(budget, progress)));
   return std::make_shared<const StoredMesh>(std::move(mesh));

@@ -1,5 +1,3 @@
-#include "server/lease/leased_file.h"
-
 #include <atomic>
 #include <fcntl.h>
 #include <future>
@@ -8,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "server/lease/held_file.h"
 #include "tests/common/temporary_folder.h"
 
 namespace burnish {
@@ -25,7 +24,8 @@ const std::string& content() {
   return bytes;
 }
 
-std::string text_of(const LeasedFile& file) {
+template <typename File>
+std::string text_of(const File& file) {
   return {file.bytes().begin(), file.bytes().end()};
 }
 
@@ -133,6 +133,26 @@ TEST_F(ALeasedFile, NeedsAFileWithBytes) {
   EXPECT_EQ(open(folder / "nothing"), StatusCode::kNotFound);
   EXPECT_EQ(open(folder.write("empty", "")), StatusCode::kFailedPrecondition);
   EXPECT_FALSE(LeasedFile::open(folder.path(), folder.path()).is_ok());
+}
+
+TEST_F(ALeasedFile, HoldsAFileThatIsReadAndThatSomebodyCuts) {
+  const fs::path path = folder.write("a", content());
+  const HeldFile file = HeldFile::open(path).value();
+  EXPECT_TRUE(file.is_leased());
+  fs::resize_file(path, 10);
+  EXPECT_EQ(text_of(file), content());
+}
+
+TEST(HeldFile, WithoutALeaseIsMappedAsItIs) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(HeldFile::open(folder.write("empty", "")).value().bytes().empty());
+  const fs::path path = folder.write("a", content());
+  const int writer = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  const HeldFile file = HeldFile::open(path).value();
+  EXPECT_FALSE(file.is_leased());
+  EXPECT_EQ(file.bytes().size(), content().size());
+  ::close(writer);
+  EXPECT_EQ(HeldFile::open(folder / "nothing").status().code(), StatusCode::kNotFound);
 }
 
 }  // namespace
