@@ -6,7 +6,7 @@ import { chromium, firefox, type Browser } from "playwright-core";
 /**
  * `openGl`: Chromium with OpenGL on the processor, unless BURNISH_ANGLE names another way: gl-egl, vulkan.
  * `plain`: Chromium as it comes, on a machine without a graphics card.
- * `firefox`: Firefox ESR on such a machine.
+ * `firefox`: Firefox ESR as it comes.
  */
 export type BrowserKind = "openGl" | "plain" | "firefox";
 
@@ -32,9 +32,5 @@ export function launchBrowser(kind: BrowserKind = "openGl"): Promise<Browser> {
   if (kind === "openGl") return launchChromium({ args: [...kFlags, ...kOpenGl] });
   // The driver of the tests asks for SwiftShader, which Chromium by itself does not take.
   if (kind === "plain") return launchChromium({ args: [...kFlags, "--disable-gpu"], ignoreDefaultArgs: [kSoftware] });
-  return firefox.launch({
-    executablePath: kFirefox,
-    channel: "moz-firefox",
-    firefoxUserPrefs: { "webgl.disabled": true },
-  });
+  return firefox.launch({ executablePath: kFirefox, channel: "moz-firefox" });
 }
