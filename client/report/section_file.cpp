@@ -1,9 +1,9 @@
 #include "client/report/section_file.h"
 
-#include <cmath>
+#include <algorithm>
 #include <cstdio>
 
-#include "client/report/length_text.h"
+#include "client/report/length_ticks.h"
 #include "common/base/atomic_file.h"
 
 namespace burnish {
@@ -21,62 +21,73 @@ Box box_of(const Section& section) {
   return box;
 }
 
+std::string printed(const char* format, double first, double second, double third) {
+  char text[128];
+  std::snprintf(text, sizeof text, format, first, second, third);
+  return text;
+}
+
 /// Draws lines into a box of the width kWidth; the y axis of SVG goes down.
 class Drawing {
  public:
-  static constexpr double kWidth = 1000, kMargin = 20;
-
   explicit Drawing(const Box& box) : box_(box) {
     const double widest = std::max(box.sizes().x(), box.sizes().y());
     scale_ = widest > 0 ? kWidth / widest : 1;
   }
 
-  double scale() const { return scale_; }
-  double width() const { return box_.sizes().x() * scale_ + 2 * kMargin; }
-  double height() const { return box_.sizes().y() * scale_ + 4 * kMargin; }
+  double width() const { return right() + kMargin; }
+  double height() const { return bottom() + kNumbersBelow; }
 
   std::string lines(const std::vector<SectionLine>& lines, const char* colour) const {
     std::string text;
     for (const SectionLine& line : lines) {
       text += "<polyline fill=\"none\" stroke-width=\"1\" stroke=\"";
       text += std::string(colour) + "\" points=\"";
-      for (const Eigen::Vector2d& point : line.points) text += place(point);
+      for (const Eigen::Vector2d& point : line.points)
+        text += printed("%.3f,%.3f ", x_of(point.x()), y_of(point.y()), 0);
       text += "\"/>\n";
     }
     return text;
   }
 
+  /// Numbers below the lines and left of them, as the table of the section has them.
+  std::string axes(const std::string& unit) const {
+    std::string path, numbers;
+    for (const LengthTick& tick : ticks(0, kWayTick, unit)) {
+      path += printed("M%.2f %.2fV%.2f", x_of(tick.at), kMargin, bottom());
+      numbers += number("middle", x_of(tick.at), bottom() + kLetters + kGap, tick);
+    }
+    for (const LengthTick& tick : ticks(1, kHeightTick, unit)) {
+      path += printed("M%.2f %.2fH%.2f", kNumbersBeside, y_of(tick.at), right());
+      numbers += number("end", kNumbersBeside - kGap, y_of(tick.at) + kLetters / 3, tick);
+    }
+    return "<path d=\"" + path + "\" stroke=\"#ddd\"/>\n" + numbers;
+  }
+
  private:
-  std::string place(const Eigen::Vector2d& point) const {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.3f,%.3f ", kMargin + (point.x() - box_.min().x()) * scale_,
-                  kMargin + (box_.max().y() - point.y()) * scale_);
-    return text;
+  static constexpr double kWidth = 1000, kMargin = 20;
+  static constexpr double kNumbersBeside = 80, kNumbersBelow = 40;
+  static constexpr double kWayTick = 80, kHeightTick = 30;  // least distance of two numbers
+  static constexpr double kLetters = 14, kGap = 6;
+
+  double x_of(double right) const { return kNumbersBeside + (right - box_.min().x()) * scale_; }
+  double y_of(double up) const { return kMargin + (box_.max().y() - up) * scale_; }
+  double right() const { return x_of(box_.max().x()); }
+  double bottom() const { return y_of(box_.min().y()); }
+
+  std::vector<LengthTick> ticks(int axis, double apart, const std::string& unit) const {
+    return length_ticks(box_.min()[axis], box_.max()[axis], apart / scale_, unit);
+  }
+
+  static std::string number(const char* anchor, double x, double y, const LengthTick& tick) {
+    return printed("<text x=\"%.1f\" y=\"%.1f\" font-size=\"%.0f\" text-anchor=\"", x, y,
+                   kLetters) +
+           anchor + "\">" + tick.text + "</text>\n";
   }
 
   const Box box_;
   double scale_;
 };
-
-/// The largest power of ten that is not above a positive, finite length.
-double decade_of(double length) {
-  double tens = 1;
-  if (length < 1) {
-    while (1 / tens > length) tens *= 10;
-    return 1 / tens;
-  }
-  while (10 * tens <= length) tens *= 10;
-  return tens;
-}
-
-/// A round length of about a fifth of the drawing's width.
-double scale_bar_length(double length) {
-  if (!(length > 0) || !std::isfinite(length)) return 1;
-  const double decade = decade_of(length / 5);
-  for (const double step : {5.0, 2.0})
-    if (step * decade <= length / 5) return step * decade;
-  return decade;
-}
 
 std::string escaped_unit(const std::string& unit) {
   std::string safe;
@@ -88,20 +99,11 @@ std::string escaped_unit(const std::string& unit) {
 
 std::string section_svg(const Section& section, const std::string& unit) {
   const Drawing drawing(box_of(section));
-  const double bar = scale_bar_length(Drawing::kWidth / drawing.scale());
-  const double below = drawing.height() - Drawing::kMargin;
-  char head[256], foot[512];
-  std::snprintf(head, sizeof head,
-                "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\">\n"
-                "<title>Section: original grey, edited red</title>\n",
-                drawing.width(), drawing.height());
-  std::snprintf(foot, sizeof foot,
-                "<path d=\"M%.0f %.1f h%.3f\" stroke=\"#222\" stroke-width=\"2\"/>\n"
-                "<text x=\"%.0f\" y=\"%.1f\" font-size=\"14\">%s</text>\n</svg>\n",
-                Drawing::kMargin, below, bar * drawing.scale(), Drawing::kMargin, below - 6,
-                length_text(bar, escaped_unit(unit)).c_str());
-  return head + drawing.lines(section.original, "#888") + drawing.lines(section.edited, "#b33") +
-         foot;
+  return printed("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\">\n",
+                 drawing.width(), drawing.height(), 0) +
+         "<title>Section: original grey, edited red</title>\n" + drawing.axes(escaped_unit(unit)) +
+         drawing.lines(section.original, "#888") + drawing.lines(section.edited, "#b33") +
+         "</svg>\n";
 }
 
 static void add_rows(const char* surface, const std::vector<SectionLine>& lines,

@@ -7,7 +7,7 @@
 
 namespace burnish {
 
-/// Returns a drawing in SVG: the original grey below the edited surface, with a scale bar.
+/// Returns a drawing in SVG: the original grey below the edited surface, with axes in numbers.
 std::string section_svg(const Section& section, const std::string& unit);
 
 /// Returns a table with a row per point: surface,line,right,up.

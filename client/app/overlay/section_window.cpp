@@ -19,18 +19,55 @@ class SectionPlot {
       : view_(view), at_(at), size_(size), exaggeration_(exaggeration) {}
 
   ImVec2 place(const Eigen::Vector2d& point) const {
-    const Eigen::Vector2f at = (kPart * size_.x * view_.place(point)).cast<float>();
-    return {at_.x + size_.x * static_cast<float>((1 - kPart) / 2) + at.x(),
-            at_.y + size_.y / 2 - at.y() * exaggeration_};
+    const Eigen::Vector2d at = view_.place(point);
+    return {x_of(at.x()), y_of(at.y())};
+  }
+
+  // Of a way and a height, in lengths of the ruler.
+  float x_of(double way) const {
+    return at_.x + size_.x * static_cast<float>((1 - kPart) / 2 + kPart * way);
+  }
+  float y_of(double height) const {
+    return at_.y + size_.y / 2 - static_cast<float>(kPart * height) * size_.x * exaggeration_;
+  }
+
+  std::vector<LengthTick> ways(const std::string& unit) const {
+    constexpr double kBeside = (1 - kPart) / kPart / 2;
+    return view_.ticks(-kBeside, 1 + kBeside, em(kWayTickEm) / (kPart * size_.x), unit);
+  }
+  std::vector<LengthTick> heights(const std::string& unit) const {
+    const double scale = kPart * size_.x * exaggeration_;
+    return view_.ticks(-size_.y / 2 / scale, size_.y / 2 / scale, em(kHeightTickEm) / scale, unit);
   }
 
  private:
   static constexpr double kPart = 0.9;  // of the window's width for the ruler's way
+  static constexpr float kWayTickEm = 5, kHeightTickEm = 2;  // least distance of two numbers
 
   const SectionView view_;
   const ImVec2 at_, size_;
   const float exaggeration_;
 };
+
+/// Draws numbers left of the plot and below it, and faint lines through it.
+void draw_numbers(const SectionPlot& plot, const ImVec2& at, const ImVec2& size,
+                  const std::string& unit) {
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  const ImU32 text = ImGui::ColorConvertFloat4ToU32(theme::kFaint);
+  const ImU32 line = ImGui::GetColorU32(ImGuiCol_Border, 0.5f);
+  const float bottom = at.y + size.y, right = at.x + size.x, gap = em(0.3f);
+  for (const LengthTick& tick : plot.ways(unit)) {
+    const float x = plot.x_of(tick.at), width = ImGui::CalcTextSize(tick.text.c_str()).x;
+    list->AddLine({x, at.y}, {x, bottom}, line);
+    list->AddText({std::min(x - width / 2, right - width), bottom + gap}, text, tick.text.c_str());
+  }
+  for (const LengthTick& tick : plot.heights(unit)) {
+    const float y = plot.y_of(tick.at);
+    const ImVec2 words = ImGui::CalcTextSize(tick.text.c_str());
+    list->AddLine({at.x, y}, {right, y}, line);
+    list->AddText({at.x - gap - words.x, y - words.y / 2}, text, tick.text.c_str());
+  }
+}
 
 void draw_lines(const SectionPlot& plot, const std::vector<SectionLine>& lines, ImU32 colour) {
   ImDrawList* const list = ImGui::GetWindowDrawList();
@@ -41,11 +78,16 @@ void draw_lines(const SectionPlot& plot, const std::vector<SectionLine>& lines, 
 
 void draw_plot(const Document& document, float exaggeration) {
   const Measuring& measuring = document.measuring();
-  const ImVec2 at = ImGui::GetCursorScreenPos(), size = ImGui::GetContentRegionAvail();
-  ImGui::InvisibleButton("##plot", {std::max(size.x, 1.0f), std::max(size.y, 1.0f)});
+  constexpr float kNumbersEm = 5, kNumbersBelowEm = 1.6f;
+  const ImVec2 whole = ImGui::GetContentRegionAvail(), corner = ImGui::GetCursorScreenPos();
+  const ImVec2 at{corner.x + em(kNumbersEm), corner.y};
+  const ImVec2 size{whole.x - em(kNumbersEm), whole.y - em(kNumbersBelowEm)};
+  ImGui::InvisibleButton("##plot", {std::max(whole.x, 1.0f), std::max(whole.y, 1.0f)});
+  if (size.x < 1 || size.y < 1) return;
   if (measuring.ruler.ends().size() < 2 || !measuring.section()) return;
   ImDrawList* const list = ImGui::GetWindowDrawList();
   const SectionPlot plot(SectionView(*measuring.plane(), measuring.ruler), at, size, exaggeration);
+  draw_numbers(plot, at, size, document.unit());
   list->PushClipRect(at, {at.x + size.x, at.y + size.y}, true);
   draw_lines(plot, measuring.section()->original, ImGui::ColorConvertFloat4ToU32(theme::kFaint));
   draw_lines(plot, measuring.section()->edited, ImGui::ColorConvertFloat4ToU32(theme::kBad));

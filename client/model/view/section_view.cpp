@@ -27,4 +27,11 @@ Eigen::Vector2d SectionView::place(const Eigen::Vector2d& point) const {
   return Eigen::Vector2d(along, height) / length_;
 }
 
+std::vector<LengthTick> SectionView::ticks(double low, double high, double apart,
+                                           const std::string& unit) const {
+  auto ticks = length_ticks(low * length_, high * length_, apart * length_, unit);
+  for (LengthTick& tick : ticks) tick.at /= length_;
+  return ticks;
+}
+
 }  // namespace burnish

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
+#include "client/report/length_ticks.h"
 #include "client/scene/camera.h"
 #include "client/tools/ruler.h"
 #include "common/measure/plane.h"
@@ -18,6 +22,11 @@ class SectionView {
   /// Returns the way along the ruler from its first end, and the height over it, in lengths of the
   /// ruler. `point`: in the plane's axes.
   Eigen::Vector2d place(const Eigen::Vector2d& point) const;
+
+  /// Returns the marks of a way or a height, where place() counts from and to. All three are in
+  /// lengths of the ruler, and so is LengthTick::at.
+  std::vector<LengthTick> ticks(double low, double high, double apart,
+                                const std::string& unit) const;
 
  private:
   Eigen::Vector2d turn_;

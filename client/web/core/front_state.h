@@ -19,12 +19,13 @@ struct Script {
 
 /// The state that a page shows besides the model's. A window keeps the same in its panels.
 struct FrontState {
-  std::string server;             ///< HOST:PORT of the page
-  std::set<uint64_t> dismissed;   ///< numbers of messages
-  bool shows_figures = true;      ///< figures of frames and link, which change all the time
-  bool shows_protection = false;  ///< over the surface
-  bool shows_curves = false;      ///< likewise, where the palette's curves rule
-  std::optional<Script> script;   ///< that is being recorded
+  std::string server;               ///< HOST:PORT of the page
+  std::set<uint64_t> dismissed;     ///< numbers of messages
+  bool shows_figures = true;        ///< figures of frames and link, which change all the time
+  bool shows_protection = false;    ///< over the surface
+  bool shows_curves = false;        ///< likewise, where the palette's curves rule
+  double section_exaggeration = 1;  ///< of heights
+  std::optional<Script> script;     ///< that is being recorded
 
   /// Returns a number for each activity, which stays.
   uint64_t number_of(const std::shared_ptr<Activity>& activity) {

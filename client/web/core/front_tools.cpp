@@ -68,16 +68,27 @@ Status save_section(const std::string& ending, const FrontParts& parts) {
   return Status::ok();
 }
 
-/// Does cut, close, or save and svg or csv.
+Status exaggerate_section(const FrontWords& line, const FrontParts& parts) {
+  constexpr double kMost = 50;
+  RETURN_IF_ERROR(need_words(line, 2));
+  ASSIGN_OR_RETURN(const double times, parse_real(line.words[1]));
+  if (!(times >= 1 && times <= kMost))
+    return invalid_argument("section heights " + line.words[1] + " is outside 1 to 50");
+  parts.state.section_exaggeration = times;
+  return Status::ok();
+}
+
+/// Does cut, close, heights and a number, or save and svg or csv.
 Status do_section(const FrontWords& line, const FrontParts& parts) {
   RETURN_IF_ERROR(need_words(line, 1));
   const std::string& what = line.words[0];
   if (what == "cut") return cut_section(parts);
+  if (what == "heights") return exaggerate_section(line, parts);
   if (what == "save") {
     RETURN_IF_ERROR(need_words(line, 2));
     return save_section(line.words[1], parts);
   }
-  if (what != "close") return invalid_argument("'" + what + "' is not cut, close or save");
+  if (what != "close") return invalid_argument("'" + what + "' is not cut, close, heights or save");
   parts.workspace.document()->measuring().forget_section();
   return Status::ok();
 }

@@ -21,7 +21,7 @@ void write_panels(Workspace& workspace, JsonWriter& json);
 /// Writes what its panels for looking show: likewise.
 void write_view(const Workspace& workspace, JsonWriter& json);
 /// Writes the section, or null: likewise.
-void write_section(const Document& document, JsonWriter& json);
+void write_section(const Document& document, const FrontState& state, JsonWriter& json);
 /// Writes the lines that lie over the picture: a member of a Document.
 void write_over(const Workspace& workspace, JsonWriter& json);
 

@@ -106,7 +106,7 @@ void write_document(Workspace& workspace, const FrontState& state, JsonWriter& j
   write_people(document, json);
   write_view(workspace, json);
   write_over(workspace, json);
-  write_section(document, json);
+  write_section(document, state, json);
   json.key("figures").open_list();
   if (state.shows_figures && document.stats().frames > 0)
     for (const Figure& figure : link_figures(document))

@@ -36,5 +36,15 @@ TEST(SectionView, ARulerAlongTheViewIsCutUpright) {
   EXPECT_NEAR(plane.normal.norm(), 1, 1e-12);
 }
 
+TEST(SectionView, MarksOfTheRulersWayAreRoundLengths) {
+  const Ruler ruler = ruler_of({0, 0, 0}, {30, 40, 0});
+  const SectionView view(section_plane(ruler, Camera()), ruler);
+  const auto ticks = view.ticks(-0.05, 1.05, 0.15, "mm");
+  ASSERT_EQ(ticks.size(), 6u);
+  EXPECT_EQ(ticks[1].text, "10");
+  EXPECT_NEAR(ticks[1].at, 0.2, 1e-12);
+  EXPECT_EQ(ticks[5].text, "50 mm");
+}
+
 }  // namespace
 }  // namespace burnish

@@ -17,12 +17,16 @@ TEST(SectionFile, TableHasARowForEachPoint) {
             "edited,0,0,1\nedited,0,10,1.5\n");
 }
 
-TEST(SectionFile, DrawingShowsBothSurfacesAndTheScale) {
+TEST(SectionFile, DrawingShowsBothSurfacesAndTheNumbersOfTheTable) {
   const std::string drawing = section_svg(kStep, "mm");
   EXPECT_THAT(drawing, StartsWith("<svg"));
-  EXPECT_THAT(drawing, HasSubstr("points=\"20.000,170.000 1020.000,170.000 \""));  // y goes down
-  EXPECT_THAT(drawing, HasSubstr("points=\"20.000,70.000 1020.000,20.000 \""));
-  EXPECT_THAT(drawing, HasSubstr(">2 mm<"));
+  EXPECT_THAT(drawing, HasSubstr("points=\"80.000,170.000 1080.000,170.000 \""));  // y goes down
+  EXPECT_THAT(drawing, HasSubstr("points=\"80.000,70.000 1080.000,20.000 \""));
+  EXPECT_THAT(drawing,
+              HasSubstr("x=\"280.0\" y=\"190.0\" font-size=\"14\" text-anchor=\"middle\">2<"));
+  EXPECT_THAT(drawing, HasSubstr(">10 mm<"));
+  EXPECT_THAT(drawing, HasSubstr("text-anchor=\"end\">0.5<"));
+  EXPECT_THAT(drawing, HasSubstr(">1.5 mm<"));
 }
 
 TEST(SectionFile, DrawingOfASectionWithoutLinesIsEmpty) {

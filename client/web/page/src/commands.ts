@@ -37,6 +37,7 @@ export const frontCommands: readonly FrontCommand[] = [
   { form: "tool paint|look|measure", means: "sets what the left button does" },
   { form: "brush_drag radius|strength", means: "lets the pointer's moves set it until a click" },
   { form: "section cut", means: "cuts the surface along the ruler, in the direction of the view" },
+  { form: "section heights X", means: "draws heights so many times larger than ways, 1 to 50" },
   { form: "section close", means: "forgets the section" },
   { form: "section save svg|csv", means: "downloads the section as a drawing or a table" },
   { form: "ruler clear", means: "forgets the ruler's points" },
@@ -135,6 +136,7 @@ export const command = {
   over: (what: "protection" | "curves", on: boolean) => words("over", what, onOff(on)),
   unit: (text: string) => words("unit", name(text)).trim(),
   section: (what: "cut" | "close" | "save svg" | "save csv") => words("section", what),
+  sectionHeights: (times: number) => words("section heights", times),
   rulerClear: () => "ruler clear",
 
   refresh: () => "library refresh",

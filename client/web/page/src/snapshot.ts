@@ -278,6 +278,17 @@ export interface Section {
   /** Paths of SVG; the ruler lies level and is 10,000 long, y downwards. */
   original: string;
   edited: string;
+  /** Heights are drawn so many times larger than ways. */
+  exaggeration: number;
+  /** Numbers of both axes. */
+  ways: AxisNumber[];
+  heights: AxisNumber[];
+}
+
+export interface AxisNumber {
+  /** In the units of the paths. Heights count upwards, and are not exaggerated. */
+  at: number;
+  text: string;
 }
 
 export interface DepthChoice {

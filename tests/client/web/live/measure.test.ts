@@ -24,6 +24,9 @@ test("SectionAlongTheRulerIsDrawnAndSaved", () =>
     await numbers.getByRole("button", { name: "Section" }).click();
     const plot = visit.page.getByRole("region", { name: "Section", exact: true });
     await plot.getByRole("img", { name: "Drawing of the section", exact: true }).waitFor();
+    const along = await plot.locator("text.way").allTextContents();
+    assert.ok(along.includes("0") && along.length >= 4, `numbers along the ruler: ${along}`);
+    assert.ok((await plot.locator("text.height").count()) >= 3);
     await visit.screenshot("section");
     const path = (kind: string) => plot.locator(`path.${kind}`).getAttribute("d");
     assert.equal(await path("before"), await path("after"), "nothing has been edited");
