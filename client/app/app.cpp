@@ -312,14 +312,14 @@ void App::take_screenshot(const std::filesystem::path& file) {
 Result<Image> App::picture_without_rings() {
   PageRenderer& pages = renderer_->pages();
   const Document* const document = workspace_->document();
-  if (!document) return workspace_->read_picture();
+  if (!document) return workspace_->read_picture({});
   DrawStyle style = shown_.style;
   style.rings.clear();
   renderer_->set_smooth(true);
   const Viewport& viewport = workspace_->viewport;
   RETURN_IF_ERROR(
       pages.draw(viewport.camera, viewport.size(), style, document->surface().patches()));
-  Result<Image> picture = workspace_->read_picture();
+  Result<Image> picture = workspace_->read_picture(viewport.scale_bar());
   renderer_->set_smooth(shown_.is_smooth);
   RETURN_IF_ERROR(workspace_->draw());
   return picture;

@@ -6,6 +6,7 @@
 #include "client/app/app.h"
 #include "client/app/dialogs/key_help.h"
 #include "client/app/dialogs/leave_question.h"
+#include "client/app/overlay/guides_overlay.h"
 #include "client/app/overlay/ruler_overlay.h"
 #include "client/app/panels/raw_facts.h"
 #include "client/app/widgets/depth_list.h"
@@ -199,6 +200,9 @@ void App::draw_session_page() {
   if (shows_hud_) hud_.draw(*workspace_);
   colour_bar_.lower_right = {screen.x - right, screen.y};
   colour_bar_.draw(*workspace_);
+  workspace_->viewport.pixel_ratio = em(1) * pixels.x / kEmPixels;
+  draw_scale_bar_overlay(*workspace_, {screen.x - right, colour_bar_.top}, pixels);
+  draw_axes_overlay(*workspace_, {left, top}, pixels);
   draw_ruler_overlay(*workspace_, {left, top}, pixels);
   section_window_.draw(*workspace_);
 }

@@ -47,6 +47,16 @@ void show_toggles(Viewport& viewport, Widgets& widgets) {
                 options.split);
   widgets.check("Original", "Shows the surface before all edits.", viewport.hold_original);
   widgets.end_row();
+  widgets.begin_row(2);
+  widgets.check("Scale bar",
+                "A round length, in pictures that are saved too. With perspective it holds at the "
+                "point around which the view turns.",
+                options.scale_bar);
+  widgets.check("Axes",
+                "The scan's axes. A click on an end looks along the axis from there, a drag turns "
+                "the view.",
+                options.axes);
+  widgets.end_row();
   if (options.split) widgets.slider(kSplit, options.split_at);
 }
 

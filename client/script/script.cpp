@@ -35,6 +35,7 @@ constexpr CommandForm kOtherCommands[] = {
     {"up", 1, 1, "up x|y|z|-x|-y|-z: the axis that points up"},
     {"view", 1, 1, "view front|back|right|left|top|bottom: shows the whole scan from there"},
     {"orthographic", 1, 1, "orthographic on|off: draws without perspective"},
+    {"scale_bar", 1, 1, "scale_bar on|off: a bar of a round length in pictures; off at first"},
     {"light", 1, 1, "light clay|radiance|cavity|raking|ceramic|bronze|slopes|unlit"},
     {"light_direction", 2, 2, "light_direction AZIMUTH ELEVATION: of the lamp, in degrees"},
     {"specular", 1, 1, "specular STRENGTH: of the lamp's highlight"},

@@ -7,9 +7,9 @@
 namespace burnish {
 
 bool is_view_command(std::string_view command) {
-  static constexpr std::string_view kViewCommands[] = {"camera",    "frame",       "colour", "flat",
-                                                       "wireframe", "split",       "up",     "view",
-                                                       "original",  "orthographic"};
+  static constexpr std::string_view kViewCommands[] = {
+      "camera", "frame", "colour",   "flat",         "wireframe", "split",
+      "up",     "view",  "original", "orthographic", "scale_bar"};
   return is_light_command(command) ||
          std::ranges::find(kViewCommands, command) != std::end(kViewCommands);
 }
@@ -82,6 +82,7 @@ Status change_view(const ScriptLine& line, Workspace& workspace) {
   if (command == "split") viewport.options.split = on;
   if (command == "original") viewport.hold_original = on;
   if (command == "orthographic") viewport.camera.orthographic = on;
+  if (command == "scale_bar") viewport.options.scale_bar = on;
   return Status::ok();
 }
 

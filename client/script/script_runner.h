@@ -63,6 +63,7 @@ class ScriptRunner {
   const ScriptHost host_;
   size_t messages_seen_ = workspace_.log.messages().size();
   bool is_camera_placed_ = false;  // by its distance: a new size of the picture keeps it
+  bool has_scale_bar_ = false;     // pictures of the script, whatever the user's view has
 };
 
 }  // namespace burnish

@@ -1,7 +1,10 @@
 // The lines that wait, or that need more than the model.
 
+#include <utility>
+
 #include "client/script/script_runner.h"
 #include "client/script/script_view.h"
+#include "common/base/text_lines.h"
 
 namespace burnish {
 
@@ -19,8 +22,12 @@ Status ScriptRunner::run_fork(const ScriptLine& line) {
 
 // A camera that a script has placed by its distance stays where it is when the size changes.
 Status ScriptRunner::run_view(const ScriptLine& line) {
-  RETURN_IF_ERROR(change_view(line, workspace_));
   const std::string& command = line.command;
+  if (command == "scale_bar") {
+    ASSIGN_OR_RETURN(has_scale_bar_, parse_switch(line.words[0]));
+    return Status::ok();
+  }
+  RETURN_IF_ERROR(change_view(line, workspace_));
   if (command == "camera") is_camera_placed_ = line.words.size() > 2;
   if (command == "up" || command == "view" || command == "frame") is_camera_placed_ = false;
   return command == "colour" ? finish_picture() : Status::ok();
@@ -39,7 +46,9 @@ Status ScriptRunner::run_pointer(const ScriptLine& line) {
   RETURN_IF_ERROR(finish_picture());  // the same points on every run
   Viewport& viewport = workspace_.viewport;
   const auto button = line.command == "drag" ? PointerButton::kLeft : PointerButton::kMiddle;
+  const bool axes = std::exchange(viewport.options.axes, false);  // they would take the press
   viewport.press(button, {}, {numbers[0], numbers[1]});
+  viewport.options.axes = axes;
   for (size_t i = 0; i < numbers.size(); i += 2) {
     viewport.move({numbers[i], numbers[i + 1]});
     RETURN_IF_ERROR(update());
@@ -53,7 +62,11 @@ Status ScriptRunner::run_pointer(const ScriptLine& line) {
 Status ScriptRunner::take_screenshot(const std::filesystem::path& path) {
   RETURN_IF_ERROR(finish_picture());
   RETURN_IF_ERROR(workspace_.viewport.draw(renderer_, *workspace_.document()));
-  ASSIGN_OR_RETURN(const Image image, workspace_.read_picture());
+  const Viewport& viewport = workspace_.viewport;
+  const ImageSize& size = viewport.size();
+  const auto bar = has_scale_bar_ ? scale_bar(viewport.camera, size, pixel_ratio_of(size))
+                                  : std::optional<ScaleBar>();
+  ASSIGN_OR_RETURN(const Image image, workspace_.read_picture(bar));
   RETURN_IF_ERROR(host_.keep_picture(image, path));
   if (!image.note.empty()) workspace_.log.warning("saved " + path.string() + ": " + image.note);
   return Status::ok();

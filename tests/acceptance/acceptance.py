@@ -198,7 +198,8 @@ def try_pictures(vertices, table, with_page):
                      "level seams": lambda: seams_told(pictures.check_seams(process.socket, page)),
                      "sharp views": lambda: sharpness_told(pictures.check_sharpness(process.socket, page)),
                      "close views": lambda: sharpness_told(pictures.check_close_view(process.socket, page)),
-                     "a dense part": lambda: sharpness_told(pictures.check_dense_part(process.socket, page))}
+                     "a dense part": lambda: sharpness_told(pictures.check_dense_part(process.socket, page)),
+                     "scale bars": lambda: bars_told(pictures.check_scale_bar(process.socket, page))}
         for case, check in checks_of.items():
             try:
                 table.add("textured", case, "right", check())
@@ -208,6 +209,10 @@ def try_pictures(vertices, table, with_page):
 
 def seams_told(steps):
     return "steps: " + ", ".join(f"{way} {before:.1f} to {after:.1f}" for way, (before, after) in steps.items())
+
+
+def bars_told(lengths):
+    return "units: " + ", ".join(f"{way} {length:.2f}" for way, length in lengths.items())
 
 
 def sharpness_told(parts):

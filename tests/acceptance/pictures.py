@@ -19,6 +19,7 @@ LEVEL = [("--level-seams", "1")]
 VIEW = ["camera 0 0", "colour scan", "light unlit"]
 LIKE_VIEW = ["--view", "0,0", "--light", "unlit", "--size", "320x240"]
 WAVE = 12  # texels
+PATTERN_SIDE = 8  # units
 LARGE_SIDE, LARGE_WAVE = 2048, 5
 FACE_SIDE, DRAPERY_SIDE, FACE_WAVE, FACE_ZOOM = 388, 248, 6, 8
 FACE_VIEW = ["camera 0 0 9 20 20 0", "colour scan", "light unlit"]
@@ -211,6 +212,42 @@ def check_dense_part(socket, page):
         return parts
 
 
+def check_scale_bar(socket, page):
+    """Returns the bar's length in units, by every way to draw. `page`: None without one.
+
+    Raises AssertionError for what is not true.
+    """
+    with tempfile.TemporaryDirectory(prefix="burnish-") as name:
+        folder = pathlib.Path(name)
+        scan = make_pattern(folder)
+        packed = folder / "packed.zip"
+        fronts.run("filter", scan, packed, "--beta", 1)
+        fronts.run("render", scan, folder / "render.png", *LIKE_VIEW, "--orthographic", "--scale-bar", "mm")
+        shown = {"render": decoded((folder / "render.png").read_bytes())}
+        view = ["orthographic on", *VIEW, "scale_bar on"]
+        shown |= _drawn_session(fronts.Server(socket, packed), page, folder, view)
+        lengths = {way: PATTERN_SIDE * _bar_pixels(picture) / _side_of_pattern(picture)
+                   for way, picture in shown.items()}
+        for way, length in lengths.items():
+            apart = min(abs(length / round_one - 1) for round_one in (0.5, 1, 2, 5))
+            assert apart < 0.03, f"{way} has a bar of {length:.2f} units"
+        return lengths
+
+
+def _side_of_pattern(picture):
+    """Returns the pixels between the first and the last that is grey in the middle row."""
+    row = picture[picture.shape[0] // 2].astype(int)
+    grey = np.flatnonzero(np.ptp(row, axis=1) <= 2)
+    return grey[-1] + 1 - grey[0]
+
+
+def _bar_pixels(picture):
+    """Returns the longest row of a mark's ink in the lower right."""
+    rows, columns, _ = picture.shape
+    ink = (picture[rows * 4 // 5:, columns // 2:] == (230, 232, 235)).all(2)
+    return ink.sum(1).max()
+
+
 def _drawn_files(scan, packed, folder, zoom=1):
     """Returns the pictures that are drawn without a server: of a folder's files, and of an archive."""
     out = {way: folder / f"{way}.png" for way in ("render", "render of an archive")}
@@ -241,7 +278,7 @@ def _contrast(picture):
     return middle.astype(float).mean((0, 2)).std()
 
 
-def make_pattern(folder, side=8, texels=SIDE, wave=WAVE):
+def make_pattern(folder, side=PATTERN_SIDE, texels=SIDE, wave=WAVE):
     """Writes a square of 2 side² triangles with a picture of texels². Returns the OBJ's file."""
     lines = ["mtllib skin.mtl", "usemtl skin"]
     lines += [f"v {x} {y} {x * y % 3 / 9}" for y in range(side + 1) for x in range(side + 1)]

@@ -264,6 +264,8 @@ TEST_F(FrontPanels, TheViewIsSetAndBookmarksAreShown) {
     line(std::string("panel commit on View/") + name);
   EXPECT_TRUE(viewport.options.flat && viewport.options.wireframe && viewport.options.split);
   EXPECT_TRUE(viewport.hold_original && viewport.navigate_mode);
+  for (const char* name : {"Scale bar", "Axes"}) line(std::string("panel commit off View/") + name);
+  EXPECT_FALSE(viewport.options.scale_bar || viewport.options.axes);
   line("panel preview 0.25 View/Place of the split");
   EXPECT_EQ(viewport.options.split_at, 0.25);
   line("panel commit displacement View/Colour");

@@ -61,6 +61,7 @@ class FrontService : public testing::Test {
 
   void take(const Json& message) {
     if (message["kind"] == "snapshot") snapshot_ = message["snapshot"];
+    if (message["kind"] == "guides") guides_ = message;
     if (message["kind"] == "answer") answers_.push_back(message["message"]);
     if (message["kind"] == "drawn") drawn_ = message["count"];
     if (message["kind"] == "strength") strengths_[message["number"]] = message["address"];
@@ -127,6 +128,7 @@ class FrontService : public testing::Test {
   Connection owner_ = Connection::open(server_.address, kPatience).value();
   std::unique_ptr<PageRenderer> renderer_;
   Json snapshot_;
+  Json guides_;  // the scale bar and the axes
   std::vector<std::string> answers_;
   int drawn_ = 0;
   bool is_drawing_ = false;

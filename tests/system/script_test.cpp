@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -5,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "client/scene/png_reader.h"
+#include "common/base/limits.h"
 #include "common/generate/generate.h"
 #include "common/mesh/io/mesh_io.h"
 #include "tests/client/scene/png_description.h"
@@ -99,6 +102,29 @@ TEST(Script, LightUpAxisViewAndProjectionChangeThePicture) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
   for (size_t i = 1; i < pictures.size(); ++i)
     EXPECT_NE(content_of(pictures[i]), content_of(pictures[i - 1])) << i;
+}
+
+TEST(Script, APictureHasAScaleBarWhileTheScriptWantsOne) {
+  ServerProcess server;
+  std::string script = "open " + write_sphere(server.folder, 3) + "\nsize 300x200\n";
+  for (const std::string change : {"scale_bar off", "scale_bar on", "scale_bar off"})
+    script += change + "\nscreenshot " + (server.folder / change).string() + ".png\n";
+  script += "scale_bar perhaps\n";
+  const CommandOutcome outcome = run_script(server, script);
+  EXPECT_THAT(outcome.output, testing::HasSubstr("perhaps"));
+  const auto read = [&](const std::string& name) {
+    return read_png(server.folder / name, kImageSidePixelsMax).value();
+  };
+  const Image plain = read("scale_bar off.png"), barred = read("scale_bar on.png");
+  int changed = 0;
+  for (int y = 0; y < 200; ++y)
+    for (int x = 0; x < 300; ++x) {
+      const bool differs =
+          !std::equal(plain.pixel(x, y), plain.pixel(x, y) + 3, barred.pixel(x, y));
+      changed += differs;
+      EXPECT_TRUE(!differs || (x >= 200 && y >= 180)) << x << " " << y;
+    }
+  EXPECT_GT(changed, 500);
 }
 
 TEST(Script, APictureWithoutFullDetailSaysSo) {

@@ -161,6 +161,20 @@ TEST_F(PictureWindow, ASavedPictureHasNoRing) {
   EXPECT_TRUE(eventually([&] { return ring_pixels(screen_->capture()) > 50; }));
 }
 
+TEST_F(PictureWindow, ASavedPictureHasTheScaleBar) {
+  open_in_folder();
+  settle();
+  const auto file = saved_picture();
+  ASSERT_TRUE(file.has_value());
+  const auto saved = read_png(*file, kImageSidePixelsMax);
+  ASSERT_TRUE(saved.is_ok()) << saved.status().message();
+  const auto [width, height] = saved->size;
+  int ink = 0;
+  for (int x = width - 200; x < width; ++x)
+    for (int y = height - 40; y < height; ++y) ink += saved->pixel(x, y)[0] == 230;
+  EXPECT_GT(ink, 150);
+}
+
 TEST_F(PictureWindow, ASavedPictureSaysThatItIsSimplified) {
   more_words_ = {"--triangles", "1000"};
   open_in_folder();
@@ -173,19 +187,9 @@ TEST_F(PictureWindow, ASavedPictureSaysThatItIsSimplified) {
 TEST_F(WindowTest, InASmallWindowAllPanelsAreInOneColumnThatScrolls) {
   middle_x_ = 920;
   open_window("10", "2");
-  constexpr int kColumnX = 300, kForkX = 390, kForkY = 61, kWheelUp = 4, kWheelDown = 5;
-  const auto turn = [this](int button, int clicks) {
-    for (int i = 0; i < clicks; ++i) {
-      screen_->press(button);
-      screen_->release(button);
-    }
-    settle();
-  };
-  screen_->move(kColumnX, 500);
-  turn(kWheelDown, 30);
-  turn(kWheelUp, 3);
+  scroll_to("History/Fork", "Left column");
   save_screen("column.png");
-  screen_->drag(kForkX, kForkY, kForkX, kForkY);
+  click_on("History/Fork");
   EXPECT_TRUE(eventually([&] { return connection_->list_sessions()->size() == 2; }));
 }
 

@@ -44,6 +44,7 @@ void draw_ends(const ColourScale& scale) {
 }  // namespace
 
 void ColourBar::draw(Workspace& workspace) {
+  top = lower_right.y;
   const auto scale = colour_scale(*workspace.document(), workspace.viewport);
   if (!scale) return;
   const float margin = em(0.7f);
@@ -63,6 +64,7 @@ void ColourBar::draw(Workspace& workspace) {
   ImGui::Dummy({em(kBarWidthEm), em(kBarHeightEm + 0.3f)});
   if (!scale->value.empty()) draw_mark(at, *scale);
   draw_ends(*scale);
+  top = ImGui::GetWindowPos().y;
   note_window("Colour bar");
   ImGui::End();
 }

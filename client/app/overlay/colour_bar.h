@@ -12,6 +12,7 @@ class ColourBar : public Panel {
   void draw(Workspace& workspace) override;
 
   ImVec2 lower_right = {0, 0};  ///< of the picture, in ImGui's units
+  float top = 0;                ///< what draw() has left free above it
 };
 
 }  // namespace burnish

@@ -6,6 +6,9 @@
 
 namespace burnish {
 
+/// The font's height at a scale of 1: on a screen with 96 dots per inch.
+inline constexpr float kEmPixels = 14;
+
 /// Converts from em, the font's height: one number scales all sizes.
 inline float em(float count) {
   return count * ImGui::GetFontSize();

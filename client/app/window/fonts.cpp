@@ -9,11 +9,12 @@
 #include <memory>
 #include <vector>
 
+#include "client/app/widgets/theme.h"
+
 namespace burnish {
 namespace {
 
 constexpr const char* kFontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-constexpr float kFontPixels = 14;
 constexpr float kTitlePixels = 22;
 
 // Latin with its extensions, Greek and Cyrillic, general punctuation, arrows, mathematical
@@ -97,7 +98,7 @@ std::string load_fonts(float scale, const std::set<char16_t>& letters) {
     fonts.AddFontDefault(&config);
     return {};
   }
-  const float pixels = std::round(kFontPixels * scale);
+  const float pixels = std::round(kEmPixels * scale);
   const std::vector<ImWchar>& ranges = ranges_with(letters);
   fonts.AddFontFromFileTTF(kFontFile, pixels, nullptr, ranges.data());
   std::string missing = add_other_fonts(pixels, letters, ranges.data());

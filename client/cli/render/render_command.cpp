@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "client/cli/command.h"
 #include "client/cli/commands.h"
@@ -10,7 +11,10 @@
 #include "client/cli/print_json.h"
 #include "client/cli/render/scan_picture.h"
 #include "client/pictures/picture.h"
+#include "client/report/length_text.h"
+#include "client/scene/picture_mark.h"
 #include "client/scene/png_writer.h"
+#include "client/scene/scale_bar.h"
 #include "common/mesh/mesh_format.h"
 
 namespace burnish {
@@ -20,6 +24,7 @@ struct RenderOptions {
   std::string scan;
   std::string out;
   PictureOptions picture;
+  std::optional<std::string> scale_bar;  // the unit of its length; none: there is no bar
   bool colours = false;
   bool clay = false;
   bool json = false;
@@ -76,11 +81,18 @@ ScanColours colours_of(const RenderOptions& options) {
   return options.colours ? ScanColours::kNeeded : ScanColours::kIfAny;
 }
 
+void add_scale_bar(ScanPicture& drawn, const std::string& unit) {
+  const ImageSize& size = drawn.image.size;
+  const auto bar = scale_bar(drawn.camera, size, pixel_ratio_of(size));
+  if (bar) draw_scale_bar(drawn.image, *bar, length_text(bar->length, unit));
+}
+
 Status render(const RenderOptions& options) {
   RETURN_IF_ERROR(check_picture_name(options.out));
-  ASSIGN_OR_RETURN(const ScanPicture drawn,
+  ASSIGN_OR_RETURN(ScanPicture drawn,
                    draw_scan_picture(options.scan, options.picture, colours_of(options)));
   for (const std::string& warning : drawn.warnings) std::cerr << "warning: " << warning << "\n";
+  if (options.scale_bar) add_scale_bar(drawn, *options.scale_bar);
   const Image& image = drawn.image;
   RETURN_IF_ERROR(write_png(image, options.out));
   if (options.json) {
@@ -169,6 +181,12 @@ void add_render_command(CommandTable& commands) {
           "Show the scan's own colours, and the texels of its pictures; the default for scans that "
           "have some")
       ->excludes(clay);
+  command
+      ->add_option_function<std::string>(
+          "--scale-bar", [options](const std::string& unit) { options->scale_bar = unit; },
+          "Draw a bar of a round length at the middle's distance. UNIT is that of the scan's "
+          "coordinates, for example mm; \"\" for none")
+      ->type_name("UNIT");
   command->add_flag("--flat", picture.style.flat, "Give each triangle one shade");
   command->add_flag("--json", options->json, "Print the result as JSON");
   command->add_flag("--wireframe", picture.style.wireframe, "Draw the triangles' edges");

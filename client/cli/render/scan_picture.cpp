@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "client/cli/render/textured_picture.h"
+#include "client/scene/raw_pages.h"
 #include "common/base/mapped_file.h"
 #include "common/base/text.h"
 #include "common/mesh/files/folder_files.h"
@@ -102,6 +103,7 @@ class ScanPainter {
     for (const std::string& warning : drawn->warnings) warn(warning);
     if (!drawn->image) return;
     drawn_.image = *std::move(drawn->image);
+    drawn_.camera = picture_camera(options_, referenced_box(surface.mesh));
     is_drawn_ = drawn_.is_textured = true;
   }
 
@@ -111,6 +113,7 @@ class ScanPainter {
     if (mesh.has_colours() && colours_ != ScanColours::kNone)
       options.style.colouring = Colouring::kScan;
     ASSIGN_OR_RETURN(drawn_.image, draw_picture(mesh, options));
+    drawn_.camera = picture_camera(options, referenced_box(mesh));
     is_drawn_ = true;
     return Status::ok();
   }

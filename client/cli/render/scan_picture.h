@@ -18,6 +18,7 @@ enum class ScanColours {
 
 struct ScanPicture {
   Image image;
+  Camera camera;                      ///< its own
   bool is_textured = false;           ///< shows the texels of the scan's pictures
   std::vector<std::string> warnings;  ///< what it lacks
 };

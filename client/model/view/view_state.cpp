@@ -53,6 +53,8 @@ toml::table view_to_toml(const ViewKey& key, const ViewState& view) {
                      {"split", view.options.split},
                      {"split_at", view.options.split_at},
                      {"displacement_range", view.options.displacement_range},
+                     {"scale_bar", view.options.scale_bar},
+                     {"axes", view.options.axes},
                      {"light", to_toml(view.options.lighting)},
                      {"colour", static_cast<int>(view.colour)},
                      {"bookmarks", bookmarks}};
@@ -66,6 +68,8 @@ ViewOptions options_of(const toml::table& table) {
   options.split_at = std::clamp(table["split_at"].value_or(options.split_at), 0.05, 0.95);
   const double range = table["displacement_range"].value_or(options.displacement_range);
   options.displacement_range = std::clamp(range, 0.05, 20.0);
+  options.scale_bar = table["scale_bar"].value_or(options.scale_bar);
+  options.axes = table["axes"].value_or(options.axes);
   if (const toml::table* light = table["light"].as_table()) options.lighting = lighting_of(*light);
   return options;
 }

@@ -67,6 +67,7 @@ static constexpr double kLampPerPixel = 1.0 / 200;  // of the ball's radius
 static constexpr int kMovesPerPictureMax = 4;
 static constexpr double kDoubleClickMs = 400;
 static constexpr double kDoubleClickPixels = 6;
+static constexpr double kClickPixels = 4;  // from which on it is a drag
 
 static BrushMode mode_of(const Modifiers& modifiers) {
   if (modifiers.control) return BrushMode::kInvert;
@@ -81,6 +82,7 @@ void Viewport::press(PointerButton button, const Modifiers& modifiers, const Vec
   }
   if (gesture_ != Gesture::kIdle) return;
   held_ = button;
+  if (takes_axes(button, pixel)) return;
   gesture_ = gesture_of(button, modifiers);
   if (gesture_ == Gesture::kLasso) lasso_ = {pixel};
   if (gesture_ == Gesture::kStroke)
@@ -113,6 +115,8 @@ void Viewport::move(const Vector2d& pixel) {
   if (pointer_ == pixel) return;
   const Vector2d by = pixel - pointer_.value_or(pixel);
   pointer_ = pixel;
+  if (pressed_view_ && (pixel - drag_from_).norm() < kClickPixels * ratio()) return;
+  pressed_view_.reset();
   if (gesture_ == Gesture::kTurn || gesture_ == Gesture::kPan) drag_camera(by);
   if (gesture_ == Gesture::kLight)
     options.lighting =
@@ -145,6 +149,42 @@ void Viewport::release(PointerButton button) {
     events_.push_back({Event::Kind::kRelease, pointer_.value_or(Vector2d::Zero())});
   if (gesture_ == Gesture::kLasso) lasso_is_drawn_ = true;
   gesture_ = Gesture::kIdle;
+  if (const auto view = std::exchange(pressed_view_, {})) show_from(*view);
+}
+
+// The scale bar and the axes.
+
+std::optional<ScaleBar> Viewport::scale_bar() const {
+  if (!options.scale_bar || !paints_) return std::nullopt;
+  return burnish::scale_bar(camera, size_, ratio());
+}
+
+std::optional<AxesGizmo> Viewport::axes() const {
+  if (!options.axes || !paints_) return std::nullopt;
+  return axes_gizmo(camera, size_, ratio());
+}
+
+std::optional<UpAxis> Viewport::pointed_axis() const {
+  const auto gizmo = axes();
+  if (!gizmo || !pointer_ || (is_busy() && !pressed_view_)) return std::nullopt;
+  const AxisEnd* const end = end_at(*gizmo, *pointer_);
+  return end ? std::optional(end->axis) : std::nullopt;
+}
+
+bool Viewport::is_over_axes() const {
+  const auto gizmo = axes();
+  return gizmo && pointer_ && covers(*gizmo, *pointer_);
+}
+
+// A drag turns the view, a click on an end shows another one.
+bool Viewport::takes_axes(PointerButton button, const Vector2d& pixel) {
+  if (button != PointerButton::kLeft || !is_over_axes()) return false;
+  const auto gizmo = axes();
+  const AxisEnd* const end = end_at(*gizmo, pixel);
+  if (end) pressed_view_ = end->view;
+  drag_from_ = pixel;
+  gesture_ = Gesture::kTurn;
+  return true;
 }
 
 // The pointer, what is under it, and its gestures.
@@ -190,6 +230,7 @@ bool Viewport::cancel(Document& document) {
   lasso_.clear();
   lasso_wish.reset();
   gesture_ = Gesture::kIdle;
+  pressed_view_.reset();
   value_changes_ = false;
   events_.clear();
   return was_busy;
@@ -222,8 +263,12 @@ void Viewport::update(Document& document) {
   if (std::exchange(lasso_is_drawn_, false)) end_lasso(document);
   for (const Event& event : std::exchange(events_, {})) paint(event, document);
   if (std::exchange(is_focus_asked_, false)) focus_nearer(document);
-  if (pointer_ && gesture_ != Gesture::kTurn && gesture_ != Gesture::kPan)
+  if (gesture_ == Gesture::kIdle && is_over_axes()) {
+    hover_.reset();
+    looked_.reset();
+  } else if (pointer_ && gesture_ != Gesture::kTurn && gesture_ != Gesture::kPan) {
     look_at(*pointer_, document);
+  }
   send_ring(document);
 }
 
@@ -300,6 +345,7 @@ void Viewport::update(const Eigen::AlignedBox3d& box) {
 
 void Viewport::reset(const Eigen::AlignedBox3d& box) {
   gesture_ = Gesture::kIdle;
+  pressed_view_.reset();
   value_changes_ = false;
   events_.clear();
   lasso_.clear();

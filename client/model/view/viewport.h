@@ -4,8 +4,10 @@
 #include <vector>
 
 #include "client/model/documents/document.h"
+#include "client/scene/axes_gizmo.h"
 #include "client/scene/camera.h"
 #include "client/scene/page_renderer.h"
+#include "client/scene/scale_bar.h"
 #include "client/scene/standard_view.h"
 #include "common/base/clock.h"
 
@@ -28,6 +30,8 @@ struct ViewOptions {
   bool split = false;
   double split_at = 0.5;          ///< part of the width
   double displacement_range = 1;  ///< cells
+  bool scale_bar = true;          ///< also in pictures that are saved
+  bool axes = true;
   Lighting lighting;
 
   bool operator==(const ViewOptions&) const = default;
@@ -51,6 +55,7 @@ class Viewport {
   bool hides_rings = false;    ///< a picture of the surface alone is wanted
   bool measure_mode = false;   ///< the left button puts the ruler's ends
   double pressure = 1;         ///< of the pen that draws, 0 to 1; 1: a mouse
+  double pixel_ratio = 0;      ///< as of scale_bar(); 0: that of a picture for no screen
   std::optional<LassoWish> lasso_wish;
   bool lasso_through = false;                    ///< of the next wish
   std::vector<Camera> bookmarks;                 ///< at most kBookmarksMax
@@ -100,6 +105,11 @@ class Viewport {
   /// Returns the point of the original surface that was under the pointer last.
   const std::optional<Vec3d>& last_hover() const { return last_hover_; }
   const std::optional<Eigen::Vector2d>& pointer() const { return pointer_; }
+  /// Returns the scale bar and the axes that lie over a session's picture; nothing: they are off.
+  std::optional<ScaleBar> scale_bar() const;
+  std::optional<AxesGizmo> axes() const;
+  /// Returns the end of an axis under the pointer.
+  std::optional<UpAxis> pointed_axis() const;
   /// Returns the line of the lasso that is being drawn, in pixels.
   const std::vector<Eigen::Vector2d>& lasso() const { return lasso_; }
   bool is_busy() const { return gesture_ != Gesture::kIdle; }
@@ -141,6 +151,9 @@ class Viewport {
   std::optional<SurfaceHit> hit_at(const Document& document, const Eigen::Vector2d& pixel) const;
   void paint(const Event& event, Document& document);
   void end_lasso(Document& document);
+  bool takes_axes(PointerButton button, const Eigen::Vector2d& pixel);
+  bool is_over_axes() const;
+  double ratio() const { return pixel_ratio > 0 ? pixel_ratio : pixel_ratio_of(size_); }
   void drag_camera(const Eigen::Vector2d& by);
   void drag_value(Document& document);
   void send_ring(Document& document);
@@ -153,6 +166,7 @@ class Viewport {
   PointerButton held_ = PointerButton::kLeft;
   std::optional<Press> last_press_;  // that turned the view
   bool is_focus_asked_ = false;
+  std::optional<StandardView> pressed_view_;  // of the end that a click has begun on
   std::optional<Eigen::Vector2d> pointer_;
   Eigen::Vector2d drag_from_ = Eigen::Vector2d::Zero();
   double value_from_ = 0;  // radius or strength when its drag began

@@ -164,8 +164,8 @@ class Workspace {
   /// Fails: unavailable while the surface may still be that of a trial, as over a lost link.
   Status check_picture() const;
   /// Reads the picture that the renderer has drawn, to be saved. One that lacks something says so
-  /// in a corner and in its note. Fails: as the renderer does.
-  Result<Image> read_picture() const;
+  /// in a corner and in its note. `bar`: lies over it. Fails: as the renderer does.
+  Result<Image> read_picture(const std::optional<ScaleBar>& bar) const;
   /// Keeps a small picture of the open session, as it was drawn last. A trial is not kept.
   void keep_session_picture();
   /// Keeps the picture that was drawn last, if `strip` waits for it. Needs: it is at rest. Returns

@@ -7,6 +7,7 @@
 #include "client/model/files/scan_files.h"
 #include "client/model/workspace/session_pictures.h"
 #include "client/model/workspace/workspace.h"
+#include "client/report/length_text.h"
 #include "client/scene/picture_mark.h"
 #include "common/mesh/rewrite/left_out/left_out.h"
 
@@ -208,10 +209,12 @@ Status Workspace::check_picture() const {
   return unavailable("the server has not ended the trial of a strength, and the picture shows it");
 }
 
-Result<Image> Workspace::read_picture() const {
+Result<Image> Workspace::read_picture(const std::optional<ScaleBar>& bar) const {
   ASSIGN_OR_RETURN(Image image, renderer_.read_pixels());
   const std::string lack = document_ ? document_->picture_lack() : std::string();
   if (!lack.empty()) mark_picture(image, lack);
+  const std::string unit = document_ ? document_->unit() : std::string();
+  if (bar) draw_scale_bar(image, *bar, length_text(bar->length, unit));
   return image;
 }
 
@@ -397,6 +400,7 @@ void Workspace::record_picture(const std::filesystem::path& file) {
   recorder.record("wait");
   recorder.record(viewport.camera);
   for (const std::string& line : script_lines(viewport.options.lighting)) recorder.record(line);
+  recorder.record(std::string("scale_bar ") + (viewport.options.scale_bar ? "on" : "off"));
   recorder.record("screenshot " + file.string());
 }
 

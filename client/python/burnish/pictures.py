@@ -19,21 +19,24 @@ _SIGNATURE = b"\x89PNG\r\n\x1a\n"
 
 
 def render(source: PathLike | Mesh, picture: PathLike, *, view: tuple[float, float] = (25, 20),
-           size: tuple[int, int] = (1280, 960), light: str = "clay") -> None:
+           size: tuple[int, int] = (1280, 960), light: str = "clay",
+           scale_bar: str | None = None) -> None:
     """Draws a mesh, or a mesh file, as a PNG, by the program `burnish`.
 
     A file with pictures shows their texels; `light="unlit"` shows these as they are. `view`:
     azimuth from +z towards +x, elevation towards +y, degrees. `size`: pixels. `light`: as `burnish
-    render --help` lists them. Warns of what cannot be shown. Raises Error.
+    render --help` lists them. `scale_bar`: the unit of a bar's length, "" for none; None: there is
+    no bar. Warns of what cannot be shown. Raises Error.
     """
     with tempfile.TemporaryDirectory(prefix="burnish-") as folder:
         if isinstance(source, Mesh):
             file = pathlib.Path(folder) / "mesh.ply"
             file.write_bytes(source.to_ply())
             source = file
+        bar = [] if scale_bar is None else ["--scale-bar", scale_bar]
         done = subprocess.run(
             [find_program(), "render", f"--view={view[0]},{view[1]}", f"--size={size[0]}x{size[1]}",
-             f"--light={light}", "--", source, picture], stdin=subprocess.DEVNULL,
+             f"--light={light}", *bar, "--", source, picture], stdin=subprocess.DEVNULL,
             capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise Error(done.stderr.strip())

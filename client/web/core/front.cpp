@@ -71,6 +71,7 @@ Front::Time Front::tick(Time now) {
   if (std::exchange(failure_, failure) != failure && !drawn.is_ok())
     workspace_.log.failure("picture", drawn);
   say_strength_picture();
+  say_guides();
   keep_picture_now_and_then(now);
   const Time snapshot_at = std::min(say_snapshot(now), begun_at_ ? now + kDrawing : Time::max());
   if (!document && workspace_.activities().empty()) return snapshot_at;
@@ -166,6 +167,14 @@ void Front::say_strength_picture() {
   JsonWriter json;
   json.open().text("kind", "strength").whole("number", static_cast<int64_t>(picture->number));
   host_.say(json.text("address", picture_address(picture->image)).close().written());
+}
+
+// Apart from the snapshot: a turn of the view changes nothing else, and a page has much to draw.
+void Front::say_guides() {
+  std::string guides = guides_of(workspace_);
+  if (guides == said_guides_) return;
+  host_.say(guides);
+  said_guides_ = std::move(guides);
 }
 
 Front::Time Front::say_snapshot(Time now) {

@@ -91,6 +91,8 @@ class Front {
   void say_strength_picture();
   /// Returns when to try again; Time::max(): it was said, or has not changed.
   Time say_snapshot(Time now);
+  /// Says what lies over the picture and follows the camera, if it has changed.
+  void say_guides();
   void answer(const std::string& line, const Status& status);
 
   PageRenderer& renderer_;
@@ -106,7 +108,8 @@ class Front {
   uint64_t kept_picture_ = 0;         // the last that was kept for the start page
   std::string kept_session_;
   Time kept_at_{};
-  std::string said_;  // the last snapshot
+  std::string said_;         // the last snapshot
+  std::string said_guides_;  // likewise
   Time said_at_{};
   std::string failure_;  // of the last picture
 };

@@ -49,7 +49,8 @@ Status draw_to_save(Workspace& workspace) {
 Status save_picture(const FrontParts& parts, const std::string& name) {
   RETURN_IF_ERROR(parts.workspace.check_picture());
   RETURN_IF_ERROR(draw_to_save(parts.workspace));
-  ASSIGN_OR_RETURN(const Image image, parts.workspace.read_picture());
+  ASSIGN_OR_RETURN(const Image image,
+                   parts.workspace.read_picture(parts.workspace.viewport.scale_bar()));
   parts.workspace.record_picture(name);
   parts.host.download(name, stored_png(image));
   if (!image.note.empty()) parts.workspace.log.warning("saved " + name + ": " + image.note);

@@ -91,7 +91,10 @@ void Front::hear(std::string_view json) {
   const std::string kind = text_in(message, "kind");
   said_at_ = {};  // the page waits for what becomes of it
   if (kind == "start") state_.server = server_of_origin(text_in(message, "address"));
-  if (kind == "start" || kind == "resize") workspace_.viewport.set_size(size_in(message));
+  if (kind == "start" || kind == "resize") {
+    workspace_.viewport.set_size(size_in(message));
+    workspace_.viewport.pixel_ratio = number_in(message, "pixelRatio");
+  }
   if (kind == "start" || kind == "connect") {
     workspace_.preferences.user = text_in(message, "user");
     workspace_.connect(KnownServer{.address = state_.server, .token = text_in(message, "token")});

@@ -11,6 +11,9 @@ namespace burnish {
 /// Returns the model's state as JSON: a Snapshot of client/web/page/src/snapshot.ts.
 std::string snapshot_of(Workspace& workspace, FrontState& state);
 
+/// Returns the scale bar and the axes over the picture: a `guides` message of protocol.ts.
+std::string guides_of(const Workspace& workspace);
+
 /// Writes the open session: a Document of the same file. Needs: a document.
 void write_document(Workspace& workspace, const FrontState& state, JsonWriter& json);
 

@@ -20,6 +20,8 @@ ViewState some_view() {
   view.camera.orthographic = true;
   view.options.split = true;
   view.options.split_at = 0.25;
+  view.options.scale_bar = false;
+  view.options.axes = false;
   view.options.lighting = {.kind = LightKind::kCavity, .azimuth_degrees = 10, .occlusion = 0.5};
   view.colour = ColourBy::kCurvature;
   view.bookmarks = {Camera{}, view.camera};

@@ -29,5 +29,11 @@ TEST(Viewport, AViewThatTheUserHasTurnedStaysInAnotherSize) {
   EXPECT_EQ(viewport.camera, turned);
 }
 
+TEST(Viewport, NoScaleBarAndNoAxesLieOverASurfaceWithoutASession) {
+  const Viewport viewport = viewport_of({800, 600});
+  EXPECT_FALSE(viewport.scale_bar().has_value());
+  EXPECT_FALSE(viewport.axes().has_value());
+}
+
 }  // namespace
 }  // namespace burnish

@@ -44,6 +44,20 @@ class Render(unittest.TestCase):
         with self.assertWarnsRegex(UserWarning, "skin.png"):
             self.render()
 
+    def test_a_scale_bar_is_there_if_it_is_wished(self):
+        def drawn(**options):
+            out = self.folder / "bar.png"
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # the picture is missing
+                burnish.render(self.scan, out, size=(320, 240), **options)
+            return decoded(out.read_bytes())
+        plain, bare, named = drawn(), drawn(scale_bar=""), drawn(scale_bar="mm")
+        for barred in (bare, named):
+            changed = np.argwhere((barred != plain).any(2))
+            self.assertGreater(len(changed), 200)
+            self.assertTrue((changed >= (210, 160)).all())
+        self.assertTrue((bare != named).any())
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { Bench, type Visit } from "./harness";
+import { guides } from "./sample";
 
 const bench = new Bench();
 before(() => bench.start());
@@ -48,6 +49,7 @@ for (const colorScheme of ["dark", "light"] as const)
             strengths: { preset: "Sharpen all", trial: "trying strength 0.33", pictures },
           });
           await visit.page.getByRole("group", { name: "Pictures of strengths" }).waitFor();
+          await visit.order({ post: { kind: "guides", ...guides } });
           await lookAtColumns(visit, name);
           assert.deepEqual(await tooWide(visit), []);
         },

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import type { Locator } from "playwright-core";
 import { Bench, type Visit } from "./harness";
-import { session, snapshot } from "./sample";
+import { guides, session, snapshot } from "./sample";
 
 const bench = new Bench();
 before(() => bench.start());
@@ -605,6 +605,27 @@ test("FiguresOfASurfaceBeforeAreGrey", () =>
     assert.equal(await visit.page.locator(".stale").count(), 0);
     await visit.document({ numbers: { ...numbers, current: false } });
     await visit.page.locator(".stale").getByText("largest move").waitFor();
+  }));
+
+test("ScaleBarAndAxesAreDrawnAsTheEngineSays", () =>
+  bench.visitSession(async (visit) => {
+    const bar = visit.page.getByRole("img", { name: "Scale bar: 20 mm" });
+    const axes = visit.page.getByRole("img", { name: "Axes of the scan" });
+    await visit.order({ post: { kind: "guides", ...guides } });
+    await bar.waitFor();
+    assert.equal((await bar.locator(".length").boundingBox())!.width, 120);
+    assert.deepEqual(await axes.locator("text").allTextContents(), ["-y", "x", "y", "z"]);
+    await visit.screenshot("guides");
+    await visit.document({ scale: null });
+    const low = (await bar.boundingBox())!.y;
+    await visit.document({ scale: session.scale });
+    await visit.page.getByRole("img", { name: /^Scale of colours/ }).waitFor();
+    const scale = (await visit.page.getByRole("img", { name: /^Scale of colours/ }).boundingBox())!;
+    const { y, height } = (await bar.boundingBox())!;
+    assert.ok(y < low && y + height <= scale.y, "the scale of colours covers the bar");
+    await visit.order({ post: { kind: "guides", bar: null, axes: null } });
+    await bar.waitFor({ state: "detached" });
+    await axes.waitFor({ state: "detached" });
   }));
 
 test("NumbersNameTheUnitAndMeasure", () =>

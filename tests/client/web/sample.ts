@@ -1,5 +1,6 @@
 // A snapshot for tests: a server with two scans, and a session that shows every part of a panel.
 
+import type { Guides } from "../../../client/web/page/src/protocol";
 import type { Document, Library, SliderWidget, Snapshot } from "../../../client/web/page/src/snapshot";
 
 const kNoon = 1_790_000_000;
@@ -258,4 +259,19 @@ export const snapshot: Snapshot = {
   recording: false,
   opening: "",
   document: null,
+};
+
+const axis = (name: string, x: number, y: number, pointed = false) => ({ name, x, y, pointed });
+
+export const guides: Guides = {
+  bar: { text: "20 mm", pixels: 120 },
+  axes: {
+    middle: 50,
+    radius: 42,
+    endRadius: 9,
+    ends: [
+      axis("-z", 63, 57), axis("-x", 21, 44), axis("-y", 50, 80, true),
+      axis("x", 79, 56), axis("y", 50, 20), axis("z", 37, 43),
+    ],
+  },
 };

@@ -105,6 +105,7 @@ void write(const ViewState& view, JsonWriter& json) {
   json.flag("flat", view.options.flat).flag("wireframe", view.options.wireframe);
   json.flag("split", view.options.split).number("splitAt", view.options.split_at);
   json.number("displacementRange", view.options.displacement_range);
+  json.flag("scaleBar", view.options.scale_bar).flag("axes", view.options.axes);
   json.whole("colour", static_cast<int>(view.colour)).key("bookmarks").open_list();
   for (size_t i = 0; i < std::min(view.bookmarks.size(), kBookmarksMax); ++i)
     write(view.bookmarks[i], json);
@@ -123,6 +124,8 @@ ViewState view_in(const Json& object) {
   reader.take("split", view.options.split);
   reader.take("splitAt", view.options.split_at);
   reader.take("displacementRange", view.options.displacement_range);
+  reader.take("scaleBar", view.options.scale_bar);
+  reader.take("axes", view.options.axes);
   reader.take_kind("colour", kColours, view.colour);
   const Json* const bookmarks = reader.find("bookmarks");
   if (bookmarks && bookmarks->is_array())

@@ -4,7 +4,7 @@ import type { PublicationStart } from "../../engine/published/calls";
 import { keptTexts, textsOfTab } from "./browser_store";
 import { command } from "./commands";
 import type { Message, Snapshot } from "./snapshot";
-import type { Pictures, PointerMessage, ToPage, ToWorker } from "./protocol";
+import type { Guides, Pictures, PointerMessage, ToPage, ToWorker } from "./protocol";
 
 /** A Worker, or what stands for one in tests. */
 export interface EnginePort {
@@ -28,6 +28,7 @@ export interface PageState {
 const kRefusalsMax = 5;
 const kNoEngine =
   "The engine did not load: the web server does not send assets/engine.js, or does not send it as JavaScript.";
+const kNoGuides: Guides = { bar: null, axes: null };
 const kStrengthsMax = 3; // pictures of a strip
 const kName = "burnish.name";
 const kUser = "burnish.user";
@@ -48,6 +49,9 @@ export interface EngineParts {
 export class EngineLink {
   state: PageState = { snapshot: null, refusals: [], stopped: "", starts: 0 };
   onchange: () => void = () => {};
+  /** Changes with each picture while the view moves, so it is no part of the state. */
+  guides: Guides = kNoGuides;
+  onguides: () => void = () => {};
   /** Addresses of the last small pictures of strengths, by number. */
   private readonly strengths = new Map<number, string>();
   private port: EnginePort | null = null;
@@ -177,6 +181,7 @@ export class EngineLink {
 
   private take(message: ToPage): void {
     if (message.kind === "snapshot") this.show(message.snapshot);
+    if (message.kind === "guides") this.showGuides(message);
     if (message.kind === "answer") this.refuse(message.message);
     if (message.kind === "download") download(message.name, message.blob);
     if (message.kind === "keep") this.keep(message.key, message.text);
@@ -184,6 +189,11 @@ export class EngineLink {
     if (message.kind === "stopped") this.stop(message.message);
     if (message.kind === "noCard") this.leaveCard();
     if (message.kind === "lost") this.lose();
+  }
+
+  private showGuides(guides: Guides): void {
+    this.guides = guides;
+    this.onguides();
   }
 
   /** Returns a text that an engine has kept; empty: none. */

@@ -11,6 +11,7 @@ import { DepthDialog } from "./depth_dialog";
 import { Dialog } from "./dialog";
 import { ExportDialog } from "./export_dialog";
 import { importFiles } from "./given_files";
+import { Guides } from "./guides";
 import { ColourBar, Hud, LostNote } from "./hud";
 import type { PageActions } from "./key_actions";
 import { KeyHelp } from "./key_help";
@@ -87,6 +88,7 @@ export function Page({ link }: { link: EngineLink }) {
         <div class="middle" hidden={!hasPicture}>
           <Picture key={state.starts} document={document} opening={opening} />
           {document && <OverPicture document={document} trial={state.snapshot?.strengths?.trial ?? ""} />}
+          {document && <Guides raised={document.scale !== null} />}
           {document && <Hud document={document} figures={figures && isWide} />}
           {document?.view && document.scale && <ColourBar scale={document.scale} />}
           {document?.section && <SectionPlot section={document.section} ruler={document.over.rulerLength} />}

@@ -78,8 +78,35 @@ export type ToWorker =
   /** A page that is not seen needs no pictures. */
   | { kind: "visible"; is: boolean };
 
+/** What lies over the picture and follows the camera. Lengths are in pixels of the picture. */
+export interface Guides {
+  /** Null: it is off. */
+  bar: { text: string; pixels: number } | null;
+  /** Null: they are off, or have no room. */
+  axes: Axes | null;
+}
+
+/** The scan's axes, in the picture's upper left corner. The core takes what the pointer does there. */
+export interface Axes {
+  /** From both edges of the picture. */
+  middle: number;
+  radius: number;
+  endRadius: number;
+  /** The farthest first. */
+  ends: AxisEnd[];
+}
+
+export interface AxisEnd {
+  /** "x", "y", "z", "-x", "-y" or "-z". */
+  name: string;
+  pointed: boolean;
+  x: number;
+  y: number;
+}
+
 export type ToPage =
   | { kind: "snapshot"; snapshot: Snapshot }
+  | ({ kind: "guides" } & Guides)
   /** A command was refused; `message` has the core's words. */
   | { kind: "answer"; line: string; message: string }
   /** A file that the user asked for: an export, a picture or a script. */

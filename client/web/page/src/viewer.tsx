@@ -6,6 +6,7 @@ import { command } from "./commands";
 import { LinkContext } from "./context";
 import { Button, Choice } from "./controls";
 import type { EngineLink } from "./engine_link";
+import { Guides } from "./guides";
 import { LostNote, simplified } from "./hud";
 import { keyActions } from "./key_actions";
 import { useKeyListeners } from "./key_listeners";
@@ -39,6 +40,7 @@ export function Viewer({ scan, link }: { scan: PublishedScan; link: EngineLink }
       <main class="viewer middle">
         <Picture key={state.starts} document={document} />
         {document && <OverPicture document={document} />}
+        {document && <Guides />}
         <Facts scan={scan} document={document} />
         {document && <LostNote document={document} />}
       </main>

@@ -121,6 +121,12 @@ export class Visit {
     return this.page.getByText(/^(settled|exact)\b/).first().waitFor();
   }
 
+  /** Switches the scale bar off: pictures of a script have one only if it says so. */
+  async hideScaleBar(): Promise<void> {
+    await this.page.getByRole("checkbox", { name: "Scale bar", exact: true }).click();
+    await this.page.getByRole("img", { name: /^Scale bar:/ }).waitFor({ state: "detached" });
+  }
+
   /** Returns the picture as the browser shows it, with what lies over it. */
   async pixels(): Promise<Pixels> {
     return this.decode(await this.page.getByRole("img", { name: /^Picture of/ }).screenshot({ type: "png" }));

@@ -58,6 +58,44 @@ test("SplitLinePartsOriginalAndEdited", () =>
     assert.ok(difference(columns(edited, 0, 0.68), columns(split, 0, 0.68)).mean > 0.1);
   }));
 
+test("ScaleBarFollowsTheCameraAndIsInTheSavedPicture", () =>
+  lab.visit(async (visit) => {
+    await visit.openScan("tablet");
+    const bar = visit.page.getByRole("img", { name: /^Scale bar: \d/ });
+    const text = async () => (await bar.textContent())!;
+    const before = await text();
+    await visit.hover([0.5, 0.5]);
+    await visit.page.mouse.wheel(0, -1000);
+    await until(text, (now) => Number.parseFloat(now) < Number.parseFloat(before));
+    await visit.settled();
+    await visit.hover([0.02, 0.98]); // beside the surface: no ring
+    await visit.screenshot("guides");
+    const barred = await visit.picture();
+    await check(visit, "Scale bar").click();
+    await bar.waitFor({ state: "detached" });
+    const plain = await visit.picture();
+    assert.ok(difference(columns(barred, 0.6, 1), columns(plain, 0.6, 1)).mean > 0.1);
+    assert.ok(difference(columns(barred, 0, 0.6), columns(plain, 0, 0.6)).mean < 0.05);
+  }));
+
+test("ClickOnAnEndOfAnAxisLooksFromThere", () =>
+  lab.visit(async (visit) => {
+    await visit.openScan("tablet");
+    const end = (name: string) => visit.page.locator(`.axes [data-axis="${name}"] circle.end`);
+    const middle = await visit.page.locator(".axes .behind").getAttribute("cx");
+    for (const name of ["x", "y", "-z", "z"]) {
+      const box = (await end(name).boundingBox())!;
+      await visit.page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+      const is = async () => [await end(name).getAttribute("cx"), await end(name).getAttribute("cy")];
+      await until(is, (place) => place.every((one) => one === middle));
+      await visit.page.keyboard.press("Home");
+      await until(is, (place) => !place.every((one) => one === middle));
+    }
+    assert.equal((await lab.state(await visit.session())).edits, 0);
+    await check(visit, "Axes").click();
+    await end("x").waitFor({ state: "detached" });
+  }));
+
 const regions = async (session: string) =>
   (await lab.history(session)).filter(({ summary }) => /protect/i.test(summary)).length;
 

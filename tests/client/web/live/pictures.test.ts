@@ -30,6 +30,7 @@ const kViews: [name: string, lines: string[], mean: number, most: number][] = [
 const arePicturesOfTheWindow = (lab: Lab) =>
   lab.visit(async (visit) => {
     await visit.join("shown");
+    await visit.hideScaleBar();
     const wrong: string[] = [];
     for (const [name, lines, mean, most] of kViews) {
       const undo = lines.map((line) => line.replace(/ on$/, " off"));

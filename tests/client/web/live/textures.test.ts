@@ -52,6 +52,7 @@ async function showTheTexelsOfTheWindow(lab: Lab, mean: number, most: number): P
   for (const [name, lines, stripes, gain] of kViews)
     await lab.visit(async (visit) => {
       await visit.join("shown");
+      await visit.hideScaleBar();
       await visit.replay([...lines, "wait"]);
       const shown = await visit.picture();
       await visit.screenshot(`textures-${name}`);
@@ -100,6 +101,7 @@ test("SeamsThatASessionLevelsAreLevelInThePageAndTheWindow", async () => {
   await lab.ask("open", "photos", "--session", "level");
   await lab.visit(async (visit) => {
     await visit.join("level");
+    await visit.hideScaleBar();
     await visit.replay(["camera 0 0", ...kTexels, "wait"]);
     const before = step(await visit.picture());
     assert.ok(before > 20, `the step is ${before}`);
