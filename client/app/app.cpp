@@ -223,7 +223,9 @@ bool App::is_in_picture(const Eigen::Vector2d& pixel) const {
   const Eigen::Vector2d at = in_picture(pixel);
   if (at.x() < 0 || at.y() < 0 || at.x() >= picture_.size.width || at.y() >= picture_.size.height)
     return false;
-  if (shows_help_ || shows_log_ || export_dialog_.is_open() || file_dialog_.is_open()) return false;
+  if (shows_help_ || shows_about_ || shows_log_ || export_dialog_.is_open() ||
+      file_dialog_.is_open())
+    return false;
   constexpr auto kAnyPopup = ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel;
   if (ImGui::IsPopupOpen("", kAnyPopup)) return false;  // a click beside the popup closes it
   return !lies_within(pixel, toasts_.covered_low, toasts_.covered_high) &&
@@ -265,7 +267,7 @@ void App::do_action(Action action) {
   if (action == Action::kCancel) {
     const bool was_busy =
         workspace_->document() && workspace_->viewport.cancel(*workspace_->document());
-    if (!was_busy) shows_help_ = shows_log_ = false;
+    if (!was_busy) shows_help_ = shows_about_ = shows_log_ = false;
   }
   if (workspace_->raw() && action == Action::kFrameAll) workspace_->viewport.go_home();
   if (!workspace_->document()) return;

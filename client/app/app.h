@@ -125,6 +125,8 @@ class App {
   bool shows_hud_ = true;
   bool shows_log_ = false;
   bool shows_help_ = false;
+  bool shows_about_ = false;
+  bool has_picture_menu_ = false;
 
   /// The picture's place in the framebuffer, in pixels from the upper left corner.
   struct Area {

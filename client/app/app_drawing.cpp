@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "client/app/app.h"
+#include "client/app/dialogs/about.h"
 #include "client/app/dialogs/key_help.h"
 #include "client/app/dialogs/leave_question.h"
 #include "client/app/overlay/guides_overlay.h"
@@ -303,6 +304,7 @@ void App::draw_overlays() {
   toasts_.draw(*workspace_);
   if (shows_log_) draw_message_log(workspace_->log, shows_log_);
   if (shows_help_) draw_key_help(bindings_, shows_help_);
+  if (shows_about_) draw_about(shows_about_);
   if (workspace_->document()) export_dialog_.draw(*workspace_);
   file_dialog_.draw(*workspace_);
   preferences_dialog_.draw(*workspace_);
@@ -361,7 +363,8 @@ void App::draw_menu_bar() {
     ImGui::EndMenu();
   }
   if (noted("Help", ImGui::BeginMenu("Help"))) {
-    item("Keys", Action::kHelp);
+    menu_item("Keys", Action::kHelp);
+    if (noted("About", ImGui::MenuItem("About and manual"))) shows_about_ = true;
     ImGui::EndMenu();
   }
   if (Document* const document = workspace.document()) {

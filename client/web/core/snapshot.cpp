@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "client/report/about_text.h"
 #include "client/tools/own_presets.h"
 
 namespace burnish {
@@ -126,6 +127,13 @@ void write_strengths(const StrengthStrip& strip, JsonWriter& json) {
   json.close_list().close();
 }
 
+void write_about(JsonWriter& json) {
+  json.key("about").open_list();
+  for (const AboutText& about : about_texts())
+    json.open().text("title", about.title).text("text", about.text).close();
+  json.close_list();
+}
+
 }  // namespace
 
 std::string snapshot_of(Workspace& workspace, FrontState& state) {
@@ -136,6 +144,7 @@ std::string snapshot_of(Workspace& workspace, FrontState& state) {
   write_messages(workspace.log, state, json);
   write_presets(workspace.document(), json);
   write_strengths(workspace.strip, json);
+  write_about(json);
   json.flag("recording", state.script.has_value());
   json.text("opening", workspace.raw() ? workspace.raw()->name : "");
   json.key("document");

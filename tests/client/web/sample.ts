@@ -256,6 +256,11 @@ export const snapshot: Snapshot = {
   ],
   preset: null,
   strengths: null,
+  about: [
+    { title: "Version", text: "Burnish 0.1.0" },
+    { title: "Licence", text: "MIT License" },
+    { title: "Manual", text: "docs/window.md and docs/web.md in the source" },
+  ],
   recording: false,
   opening: "",
   document: null,

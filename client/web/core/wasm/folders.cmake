@@ -63,7 +63,7 @@ core_folder(client/live)
 core_folder(client/tools EXCEPT own_presets_file user_folders)
 core_folder(client/sheets EXCEPT texture_decoder)
 core_folder(client/surface EXCEPT page_desk_thread texture_desk_thread)
-core_folder(client/report ONLY depth_text deviation_json entry_text length_ticks moves_text processing_record
+core_folder(client/report ONLY about_text depth_text deviation_json entry_text length_ticks moves_text processing_record
   record_json record_page section_file time_text)
 file(STRINGS ${root}/CMakeLists.txt project REGEX "^project\\(burnish VERSION")
 string(REGEX MATCH "[0-9.]+" BURNISH_VERSION "${project}")

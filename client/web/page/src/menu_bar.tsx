@@ -12,6 +12,7 @@ import { chooseTheme, type Theme } from "./theme";
 export interface Shown {
   log: boolean;
   help: boolean;
+  about: boolean;
   exporting: boolean;
   depths: boolean;
   leaving: boolean;
@@ -26,6 +27,7 @@ export interface MenuBarProps {
   panels: boolean;
   onPanels: (on: boolean) => void;
   onReplay: () => void;
+  onAbout: () => void;
 }
 
 export function MenuBar(props: MenuBarProps) {
@@ -47,7 +49,13 @@ export function MenuBar(props: MenuBarProps) {
           />
         )}
         <Menu name="View" items={viewItems(props, send)} />
-        <Menu name="Help" items={[{ label: "Keys", key: keyNamed("help"), run: props.actions.toggleHelp }]} />
+        <Menu
+          name="Help"
+          items={[
+            { label: "Keys", key: keyNamed("help"), run: props.actions.toggleHelp },
+            { label: "About and manual", run: props.onAbout },
+          ]}
+        />
       </nav>
       {document && (
         <Button

@@ -1,6 +1,7 @@
 // The whole page: menu, start page or session, and what lies over both.
 
 import { useEffect, useRef, useState } from "preact/hooks";
+import { AboutDialog } from "./about_dialog";
 import { useAddress } from "./address";
 import { EditColumn, ShowSections, useIsWide } from "./columns";
 import { command } from "./commands";
@@ -26,7 +27,7 @@ import { SectionPlot } from "./section_plot";
 import { StartPage, kMeshFiles } from "./start_page";
 
 const kFilesBeside = ",.mtl,.png,.jpg,.jpeg,.bin"; // of an OBJ, a PLY or a glTF
-const kClosed: Shown = { log: false, help: false, exporting: false, depths: false, leaving: false };
+const kClosed: Shown = { log: false, help: false, about: false, exporting: false, depths: false, leaving: false };
 
 export function Page({ link }: { link: EngineLink }) {
   const [state, setState] = useState(link.state);
@@ -72,6 +73,7 @@ export function Page({ link }: { link: EngineLink }) {
           link.send(command.figures(on));
         }}
         onReplay={() => scriptFile.current?.click()}
+        onAbout={() => setShown({ ...kClosed, about: true })}
       />
       <div class={hasPicture ? `session${isWide ? " wide" : ""}${panels || !document ? "" : " alone"}` : "no-session"}>
         {document && panels && (
@@ -114,6 +116,7 @@ export function Page({ link }: { link: EngineLink }) {
       <Toasts messages={messages} activities={state.snapshot?.activities ?? []} />
       {shown.log && <MessageLog messages={messages} onClose={close} />}
       {shown.help && <KeyHelp onClose={close} />}
+      {shown.about && state.snapshot && <AboutDialog texts={state.snapshot.about} onClose={close} />}
       {shown.exporting && document && <ExportDialog document={document} onClose={close} />}
       {shown.depths && document && <DepthDialog document={document} onClose={close} />}
       {shown.leaving && document && <LeaveQuestion edits={document.unsavedEdits} onClose={close} />}

@@ -11,12 +11,19 @@ export interface Snapshot {
   preset: PresetInForce | null;
   /** Pictures of strengths to choose from; null: the user has not asked for them. */
   strengths: Strengths | null;
+  /** Version, licence, places of the documents. */
+  about: AboutText[];
   /** Commands are being written to a script. */
   recording: boolean;
   /** The scan of which a coarse picture is shown until its session is open. */
   opening: string;
   /** The session that is open; null on the start page and while one opens. */
   document: Document | null;
+}
+
+export interface AboutText {
+  title: string;
+  text: string;
 }
 
 export interface Library {
