@@ -281,6 +281,9 @@ TEST_F(FrontPanels, TheViewIsSetAndBookmarksAreShown) {
   EXPECT_TRUE(viewport.camera.orthographic);
   line("panel commit press View/Bookmark 1");
   EXPECT_EQ(viewport.camera, top);
+  line("turn 15 -30");
+  EXPECT_EQ(viewport.camera.azimuth_degrees, turned(top, 15, -30).azimuth_degrees);
+  EXPECT_EQ(viewport.camera.elevation_degrees, turned(top, 15, -30).elevation_degrees);
   EXPECT_TRUE(answers_.empty());
 }
 

@@ -26,7 +26,7 @@ static void draw_mouse_rows() {
 }
 
 static bool is_of_camera(Action action) {
-  return action >= Action::kFront && action <= Action::kOrthographic;
+  return action >= Action::kFront && action <= Action::kTurnDown;
 }
 
 static void draw_action_rows(const Bindings& bindings, bool of_camera) {

@@ -274,6 +274,14 @@ static std::string key_name(int key, int scancode) {
       return "Delete";
     case GLFW_KEY_TAB:
       return "Tab";
+    case GLFW_KEY_LEFT:
+      return "Left";
+    case GLFW_KEY_RIGHT:
+      return "Right";
+    case GLFW_KEY_UP:
+      return "Up";
+    case GLFW_KEY_DOWN:
+      return "Down";
     default:
       break;
   }

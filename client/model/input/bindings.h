@@ -35,6 +35,10 @@ enum class Action {
   kTop,
   kBottom,
   kOrthographic,
+  kTurnLeft,
+  kTurnRight,
+  kTurnUp,
+  kTurnDown,
   kLog,
   kHelp,
   kSave,
@@ -42,7 +46,7 @@ enum class Action {
   kCancel,
 };
 
-inline constexpr size_t kActions = 28;
+inline constexpr size_t kActions = 32;
 
 struct ActionInfo {
   Action action;

@@ -28,6 +28,10 @@ void Viewport::set_size(const ImageSize& size) {
   if (framed_ == camera) frame_all();
 }
 
+void Viewport::turn(double azimuth_degrees, double elevation_degrees) {
+  camera = turned(camera, azimuth_degrees, elevation_degrees);
+}
+
 void Viewport::go_home() {
   camera.azimuth_degrees = kHomeAzimuth;
   camera.elevation_degrees = kHomeElevation;
@@ -138,7 +142,7 @@ void Viewport::drag_camera(const Vector2d& by) {
   if (gesture_ == Gesture::kPan) {
     camera = panned(camera, size_, by);
   } else {
-    camera = turned(camera, -kDegreesPerPixel * by.x(), kDegreesPerPixel * by.y());
+    turn(-kDegreesPerPixel * by.x(), kDegreesPerPixel * by.y());
   }
 }
 

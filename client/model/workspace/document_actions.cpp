@@ -9,6 +9,7 @@ static StandardView standard_view_of(Action action) {
 
 void do_document_action(Action action, Workspace& workspace) {
   constexpr double kRadiusStep = 1.15;
+  constexpr double kTurnStep = 15;  // degrees
   Document& document = *workspace.document();
   Viewport& viewport = workspace.viewport;
   switch (action) {
@@ -28,6 +29,14 @@ void do_document_action(Action action, Workspace& workspace) {
     case Action::kOrthographic:
       viewport.camera.orthographic = !viewport.camera.orthographic;
       return;
+    case Action::kTurnLeft:
+      return viewport.turn(-kTurnStep, 0);
+    case Action::kTurnRight:
+      return viewport.turn(kTurnStep, 0);
+    case Action::kTurnUp:
+      return viewport.turn(0, kTurnStep);
+    case Action::kTurnDown:
+      return viewport.turn(0, -kTurnStep);
     case Action::kFocus:
       return viewport.focus();
     case Action::kBrushRadius:

@@ -24,6 +24,13 @@ Status set_lamp(const FrontWords& line, Lighting& lighting) {
   return Status::ok();
 }
 
+Status turn(const FrontWords& line, Viewport& viewport) {
+  RETURN_IF_ERROR(need_words(line, 2));
+  ASSIGN_OR_RETURN(const std::vector<double> degrees, parse_numbers(line.words, 0));
+  viewport.turn(degrees[0], degrees[1]);
+  return Status::ok();
+}
+
 }  // namespace
 
 std::optional<Status> do_view_line(const FrontWords& line, FrontParts& parts) {
@@ -31,6 +38,7 @@ std::optional<Status> do_view_line(const FrontWords& line, FrontParts& parts) {
   ViewOptions& options = viewport.options;
   const std::string& command = line.command;
   if (command == "split_at") return set_number(line, 0, 1, options.split_at);
+  if (command == "turn") return turn(line, viewport);
   if (command == "lamp") return set_lamp(line, options.lighting);
   if (command == "bookmark") {
     viewport.add_bookmark();

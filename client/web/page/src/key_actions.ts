@@ -30,6 +30,8 @@ export interface KeyAction {
   means: string;
   /** True if the key needs an open session. */
   session?: boolean;
+  /** True if the key is the picture's alone: elsewhere it moves sliders, lists and columns. */
+  picture?: boolean;
   run(context: Context): void;
 }
 
@@ -44,6 +46,11 @@ const sends = (name: string, keys: string[], means: string, line: (document: Doc
   run: ({ link, document }) => document && link.send(line(document)),
 });
 const view = (key: string, name: string, means: string) => sends(name, [key], means, () => command.view(name));
+const kTurnStep = 15; // degrees
+const turn = (key: string, name: string, azimuth: number, elevation: number, means: string): KeyAction => ({
+  ...sends(name, [key], means, () => command.turn(azimuth * kTurnStep, elevation * kTurnStep)),
+  picture: true,
+});
 const radius = (name: string, key: string, factor: number, means: string) =>
   sends(name, [key], means, ({ brush, diagonal }) => {
     const moved = Math.min(0.5 * diagonal, Math.max(1e-4 * diagonal, brush.radius * factor));
@@ -87,6 +94,10 @@ export const keyActions: readonly KeyAction[] = [
   view("7", "top", "View from above"),
   view("Shift+7", "bottom", "View from below"),
   sends("orthographic", ["5"], "With or without perspective", ({ view }) => command.orthographic(!view.orthographic)),
+  turn("ArrowLeft", "turn_left", -1, 0, "Turn the view to the left, in the picture"),
+  turn("ArrowRight", "turn_right", 1, 0, "Turn the view to the right, in the picture"),
+  turn("ArrowUp", "turn_up", 0, 1, "Turn the view upwards, in the picture"),
+  turn("ArrowDown", "turn_down", 0, -1, "Turn the view downwards, in the picture"),
   {
     name: "save",
     keys: ["Ctrl+S"],

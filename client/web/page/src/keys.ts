@@ -41,6 +41,7 @@ export function handleKeyDown(event: KeyboardEvent, context: Context): void {
   }
   const action = keyActions.find((one) => keysOf(one).includes(key));
   if (!action || (action.session && !context.document)) return;
+  if (action.picture && !isPicture(event.target)) return;
   if (key !== "Escape") event.preventDefault();
   action.run(context);
 }

@@ -87,7 +87,8 @@ export function Page({ link }: { link: EngineLink }) {
           </EditColumn>
         )}
         {opening && <OpeningColumn scan={opening} />}
-        <div class="middle" hidden={!hasPicture}>
+        <main class="middle" hidden={!hasPicture}>
+          <h1 class="unseen">{document ? `${document.scan} · ${document.session}` : opening}</h1>
           <Picture key={state.starts} document={document} opening={opening} />
           {document && <OverPicture document={document} trial={state.snapshot?.strengths?.trial ?? ""} />}
           {document && <Guides raised={document.scale !== null} />}
@@ -95,7 +96,7 @@ export function Page({ link }: { link: EngineLink }) {
           {document?.view && document.scale && <ColourBar scale={document.scale} />}
           {document?.section && <SectionPlot section={document.section} ruler={document.over.rulerLength} />}
           {document && <LostNote document={document} />}
-        </div>
+        </main>
         {document && isWide && panels && (
           <aside class="column right" aria-label="Show">
             <ShowSections document={document} figures={false} />

@@ -6,6 +6,9 @@ import { useLink } from "./context";
 import { PicturePointer } from "./pointer";
 import type { Document } from "./snapshot";
 
+/** Gives the keys to the picture. */
+export const focusPicture = () => document.querySelector<HTMLElement>("canvas.picture")?.focus();
+
 /**
  * `opening`: the scan that is shown before a document is there; empty: none.
  * Needs: another key for each start of the engine, for a canvas is handed over once.
@@ -29,6 +32,11 @@ export function Picture({ document, opening = "" }: { document: Document | null;
       stopListening();
     };
   }, []);
+  // Keys are the picture's, unless the user is elsewhere already.
+  useEffect(() => {
+    const isNowhere = window.document.activeElement === window.document.body;
+    if (document && isNowhere) canvas.current!.focus();
+  }, [document?.sessionId]);
   const scan = document?.scan ?? opening;
   const isGrey = document !== null && document.link !== "live";
   return (
