@@ -78,6 +78,10 @@ class App {
   bool keeps_raw_picture() const;
   void draw_panels();
   void draw_menu_bar();
+  void draw_picture_menu();
+  void draw_undo_items();
+  void menu_item(const char* name, Action action, bool enabled = true,
+                 const std::string& what = {});
   void draw_camera_menu();
   void draw_depth_menu();
   void draw_start_page();

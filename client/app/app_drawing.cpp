@@ -17,6 +17,7 @@
 #include "client/app/widgets/theme.h"
 #include "client/app/widgets/words.h"
 #include "client/model/documents/undo_words.h"
+#include "client/model/view/position_text.h"
 #include "client/report/depth_text.h"
 #include "common/base/limits.h"
 
@@ -301,6 +302,7 @@ void App::draw_overlays() {
   draw_sides();
   draw_trial();
   draw_lasso();
+  draw_picture_menu();
   toasts_.draw(*workspace_);
   if (shows_log_) draw_message_log(workspace_->log, shows_log_);
   if (shows_help_) draw_key_help(bindings_, shows_help_);
@@ -318,6 +320,48 @@ void App::draw_overlays() {
 
 // ---- The menus ----
 
+/// `what`: stands behind the name.
+void App::menu_item(const char* name, Action action, bool enabled, const std::string& what) {
+  const std::string label = what.empty() ? name : name + (": " + what + "###") + name;
+  const std::string keys = bindings_.keys_of(action);
+  if (noted(name, ImGui::MenuItem(label.c_str(), keys.c_str(), false, enabled))) do_action(action);
+}
+
+void App::draw_undo_items() {
+  const Document& document = *workspace_->document();
+  menu_item("Undo", Action::kUndo, !document.is_viewer(), undo_name(document));
+  menu_item("Redo", Action::kRedo, !document.is_viewer(), document.undo_steps().redo_name());
+}
+
+// A click of the right button has asked for it. The page has its items in picture_menu.tsx.
+void App::draw_picture_menu() {
+  constexpr const char* kId = "##picture menu";
+  std::optional<PictureMenu>& menu = workspace_->viewport.menu;
+  if (menu && !std::exchange(has_picture_menu_, true)) ImGui::OpenPopup(kId);
+  if (!ImGui::BeginPopup(kId)) {
+    if (std::exchange(has_picture_menu_, false)) menu.reset();
+    return;
+  }
+  begin_place_group("Picture menu");
+  const Document* const document = workspace_->document();
+  const std::optional<Vec3d> point = menu ? menu->point : std::nullopt;
+  menu_item("Look at this point", Action::kFocus, point.has_value());
+  menu_item("Frame all", Action::kFrameAll);
+  draw_camera_menu();
+  ImGui::Separator();
+  if (noted("Copy position", ImGui::MenuItem("Copy position", nullptr, false, point.has_value()))) {
+    const std::string position = position_text(*point, document->diagonal());
+    ImGui::SetClipboardText(position.c_str());
+    workspace_->log.info("copied " + position);
+  }
+  ImGui::Separator();
+  if (document) draw_undo_items();
+  ImGui::Separator();
+  menu_item("Save picture", Action::kScreenshot);
+  note_window("Picture menu");
+  ImGui::EndPopup();
+}
+
 void App::draw_menu_bar() {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
   const bool is_drawn = ImGui::BeginMainMenuBar();
@@ -326,18 +370,11 @@ void App::draw_menu_bar() {
   begin_place_group("Menu");
   Workspace& workspace = *workspace_;
   const bool is_open = workspace.document() != nullptr;
-  const auto item = [&](const char* name, Action action, bool enabled = true,
-                        const std::string& what = {}) {
-    const std::string label = what.empty() ? name : name + (": " + what + "###") + name;
-    const std::string keys = bindings_.keys_of(action);
-    if (noted(name, ImGui::MenuItem(label.c_str(), keys.c_str(), false, enabled)))
-      do_action(action);
-  };
   if (noted("File", ImGui::BeginMenu("File"))) {
-    item("Open…", Action::kOpen);
+    menu_item("Open…", Action::kOpen);
     ImGui::Separator();
-    item("Export…", Action::kExport, is_open);
-    item("Save picture", Action::kScreenshot, is_open);
+    menu_item("Export…", Action::kExport, is_open);
+    menu_item("Save picture", Action::kScreenshot, is_open);
     if (ImGui::MenuItem("Save picture as…", nullptr, false, is_open)) ask_for_picture();
     ImGui::Separator();
     if (noted("Close session", ImGui::MenuItem("Close session", nullptr, false, is_open)))
@@ -345,20 +382,19 @@ void App::draw_menu_bar() {
     draw_depth_menu();
     ImGui::Separator();
     if (noted("Preferences", ImGui::MenuItem("Preferences…"))) preferences_dialog_.open();
-    item("Quit", Action::kQuit);
+    menu_item("Quit", Action::kQuit);
     ImGui::EndMenu();
   }
   if (noted("Edit", ImGui::BeginMenu("Edit", workspace.document() != nullptr))) {
-    item("Undo", Action::kUndo, true, undo_name(*workspace.document()));
-    item("Redo", Action::kRedo, true, workspace.document()->undo_steps().redo_name());
+    draw_undo_items();
     ImGui::EndMenu();
   }
   if (noted("View", ImGui::BeginMenu("View"))) {
-    item("Frame all", Action::kFrameAll, workspace.document() != nullptr);
-    item("Wireframe", Action::kWireframe, workspace.document() != nullptr);
-    item("Split", Action::kSplit, workspace.document() != nullptr);
+    menu_item("Frame all", Action::kFrameAll, workspace.document() != nullptr);
+    menu_item("Wireframe", Action::kWireframe, workspace.document() != nullptr);
+    menu_item("Split", Action::kSplit, workspace.document() != nullptr);
     noted("Figures", ImGui::MenuItem("Figures", nullptr, &shows_hud_));
-    item("Messages", Action::kLog);
+    menu_item("Messages", Action::kLog);
     draw_camera_menu();
     ImGui::EndMenu();
   }

@@ -51,6 +51,8 @@ TEST_F(SnapshotOfThePage, HasTheTypesThatThePageReads) {
            !document()["figures"].empty() && !document()["numbers"]["deviation"].empty() &&
            !document()["palette"].empty();
   }));
+  front_.workspace().viewport.menu = PictureMenu{{200, 150}, Vec3d(1, 2, 3)};
+  ASSERT_TRUE(until([this] { return document()["over"]["menu"].is_object(); }));
   EXPECT_EQ(complaints(), "");
 }
 

@@ -73,6 +73,7 @@ TEST_F(WorkspaceViews, ASessionIsSeenAsItWasLeft) {
   viewport().camera.orthographic = true;
   viewport().options.split = true;
   viewport().options.lighting.kind = LightKind::kCavity;
+  viewport().options.curvature = {0.5, 2};
   viewport().add_bookmark();
   document().set_colour(ColourBy::kCurvature);
   workspace_.update();
@@ -82,6 +83,7 @@ TEST_F(WorkspaceViews, ASessionIsSeenAsItWasLeft) {
   EXPECT_FALSE(viewport().camera.orthographic);
   EXPECT_TRUE(viewport().bookmarks.empty());
   viewport().options.split = false;
+  viewport().options.curvature = {};
   viewport().options.lighting.kind = LightKind::kClay;
   ASSERT_TRUE(open("work"));
   EXPECT_EQ(viewport().camera.azimuth_degrees, 77);
@@ -90,6 +92,7 @@ TEST_F(WorkspaceViews, ASessionIsSeenAsItWasLeft) {
   EXPECT_EQ(viewport().camera.up, UpAxis::kZ);
   EXPECT_TRUE(viewport().camera.orthographic);
   EXPECT_TRUE(viewport().options.split);
+  EXPECT_EQ(viewport().options.curvature, (ColourEnds{0.5, 2}));
   EXPECT_EQ(viewport().options.lighting.kind, LightKind::kCavity);
   EXPECT_EQ(viewport().bookmarks.size(), 1u);
   EXPECT_EQ(document().colour(), ColourBy::kCurvature);
@@ -150,6 +153,36 @@ TEST_F(WorkspaceViews, HomeResetsTheTilt) {
   workspace_.update();
   EXPECT_EQ(viewport().camera.azimuth_degrees, first.azimuth_degrees);
   EXPECT_EQ(viewport().camera.elevation_degrees, first.elevation_degrees);
+}
+
+TEST_F(WorkspaceViews, AClickOfTheRightButtonAsksForTheMenuOfThePointAndADragMoves) {
+  ASSERT_TRUE(open("work"));
+  const Camera before = viewport().camera;
+  const auto press = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+    viewport().move(from);
+    workspace_.update();
+    viewport().press(PointerButton::kRight, {}, from);
+    viewport().move(to);
+    workspace_.update();
+    viewport().release(PointerButton::kRight);
+    workspace_.update();
+  };
+  press(kBall, kBall + Eigen::Vector2d(2, 1));  // a hand trembles
+  ASSERT_TRUE(viewport().menu.has_value());
+  EXPECT_EQ(viewport().camera, before);
+  ASSERT_TRUE(viewport().menu->point.has_value());
+  const Vec3d point = *viewport().menu->point;
+  viewport().leave();
+  viewport().focus();
+  EXPECT_EQ(viewport().camera.target, point);
+  viewport().camera = before;
+  press({3, 3}, {3, 3});
+  ASSERT_TRUE(viewport().menu.has_value());
+  EXPECT_FALSE(viewport().menu->point.has_value()) << "beside the ball";
+  press(kBall, kBall + Eigen::Vector2d(40, 0));
+  EXPECT_FALSE(viewport().menu.has_value());
+  Camera moved = panned(before, kSize, Eigen::Vector2d(40, 0));
+  EXPECT_LT((viewport().camera.target - moved.target).norm(), 1e-9 * before.distance);
 }
 
 TEST_F(WorkspaceViews, ADragWithControlAndShiftMovesTheLampAlone) {

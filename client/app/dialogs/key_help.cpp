@@ -19,6 +19,7 @@ static void draw_mouse_rows() {
   key_row("Shift+Left", "Restore the original (β = 1)");
   key_row("Middle, Alt+Left", "Turn");
   key_row("Shift+Middle, Right", "Move");
+  key_row("Click, right", "Menu of the point: look there, views, its position");
   key_row("Double click, middle", "Turn about the point and come nearer");
   key_row("Ctrl+Shift+Right", "Move the lamp");
   key_row("Wheel", "Zoom at the cursor");

@@ -53,7 +53,11 @@ void Viewport::add_bookmark() {
 }
 
 void Viewport::focus() {
-  if (hover_) camera.target = hover_->displaced;
+  if (menu && menu->point) {
+    camera.target = *menu->point;
+  } else if (hover_) {
+    camera.target = hover_->displaced;
+  }
 }
 
 void Viewport::focus_nearer(const Document& document) {
@@ -80,6 +84,8 @@ static BrushMode mode_of(const Modifiers& modifiers) {
 
 void Viewport::press(PointerButton button, const Modifiers& modifiers, const Vector2d& pixel) {
   pointer_ = pixel;
+  menu.reset();
+  right_click_.reset();
   if (gesture_ == Gesture::kRadius || gesture_ == Gesture::kStrength) {  // a click ends these
     gesture_ = Gesture::kIdle;
     return;
@@ -89,6 +95,7 @@ void Viewport::press(PointerButton button, const Modifiers& modifiers, const Vec
   if (takes_axes(button, pixel)) return;
   gesture_ = gesture_of(button, modifiers);
   if (gesture_ == Gesture::kLasso) lasso_ = {pixel};
+  if (gesture_ == Gesture::kPan && button == PointerButton::kRight && paints_) right_click_ = pixel;
   if (gesture_ == Gesture::kStroke)
     events_.push_back({Event::Kind::kPress, pixel, mode_of(modifiers), pressure});
   if (gesture_ == Gesture::kTurn && is_second_press(button, pixel)) is_focus_asked_ = true;
@@ -115,8 +122,16 @@ bool Viewport::is_second_press(PointerButton button, const Vector2d& pixel) {
   return is_second;
 }
 
+/// Returns whether a press of the right button is still a click, for a hand may tremble.
+bool Viewport::is_click(const Vector2d& pixel) {
+  if (!right_click_) return false;
+  if ((pixel - *right_click_).norm() < kDoubleClickPixels) return true;
+  pointer_ = std::exchange(right_click_, std::nullopt);  // the drag began there
+  return false;
+}
+
 void Viewport::move(const Vector2d& pixel) {
-  if (pointer_ == pixel) return;
+  if (pointer_ == pixel || is_click(pixel)) return;
   const Vector2d by = pixel - pointer_.value_or(pixel);
   pointer_ = pixel;
   if (pressed_view_ && (pixel - drag_from_).norm() < kClickPixels * ratio()) return;
@@ -152,6 +167,7 @@ void Viewport::release(PointerButton button) {
   if (gesture_ == Gesture::kStroke)
     events_.push_back({Event::Kind::kRelease, pointer_.value_or(Vector2d::Zero())});
   if (gesture_ == Gesture::kLasso) lasso_is_drawn_ = true;
+  if (right_click_) menu_asked_ = std::exchange(right_click_, std::nullopt);
   gesture_ = Gesture::kIdle;
   if (const auto view = std::exchange(pressed_view_, {})) show_from(*view);
 }
@@ -230,7 +246,9 @@ bool Viewport::cancel(Document& document) {
   if (gesture_ == Gesture::kRadius) document.brush().brush.radius = value_from_;
   if (gesture_ == Gesture::kStrength) document.brush().brush.strength = value_from_;
   if (document.brush().is_drawing()) document.cancel_stroke();
-  const bool was_busy = is_busy() || lasso_wish;
+  const bool was_busy = is_busy() || lasso_wish || menu;
+  menu.reset();
+  right_click_.reset();
   lasso_.clear();
   lasso_wish.reset();
   gesture_ = Gesture::kIdle;
@@ -273,6 +291,8 @@ void Viewport::update(Document& document) {
   } else if (pointer_ && gesture_ != Gesture::kTurn && gesture_ != Gesture::kPan) {
     look_at(*pointer_, document);
   }
+  if (const auto pixel = std::exchange(menu_asked_, std::nullopt))
+    menu = PictureMenu{*pixel, hover_ ? std::optional(hover_->displaced) : std::nullopt};
   send_ring(document);
 }
 
@@ -356,6 +376,9 @@ void Viewport::reset(const Eigen::AlignedBox3d& box) {
   lasso_wish.reset();
   lasso_is_drawn_ = false;
   bookmarks.clear();
+  menu.reset();
+  right_click_.reset();
+  menu_asked_.reset();
   measure_mode = false;
   leave();
   last_hover_.reset();

@@ -43,6 +43,12 @@ struct LassoWish {
   bool release = false;  ///< what it holds is no longer protected
 };
 
+/// The menu that a click of the right button asks for.
+struct PictureMenu {
+  Eigen::Vector2d pixel;
+  std::optional<Vec3d> point;  ///< of the shown surface there; nothing beside it
+};
+
 /// The picture of a document: the camera and the actions of the pointer. It keeps events until
 /// update(), which looks at what lies under the pointer. Pixels count from the picture's
 /// upper left corner. Needs no window.
@@ -59,6 +65,7 @@ class Viewport {
   std::optional<LassoWish> lasso_wish;
   bool lasso_through = false;                    ///< of the next wish
   std::vector<Camera> bookmarks;                 ///< at most kBookmarksMax
+  std::optional<PictureMenu> menu;               ///< until it is closed, or the next press
   Clock clock = std::chrono::steady_clock::now;  ///< tells a double click
 
   /// A view that shows the whole scan goes on to do so.
@@ -78,7 +85,9 @@ class Viewport {
   /// Goes on with a document that has the same surface. The camera and its drag stay.
   void take_over(const Document& document);
   void frame_all();
-  void focus();         ///< turn around the point under the pointer
+  /// Moves the eye around the target: to the right and upwards, degrees.
+  void turn(double azimuth_degrees, double elevation_degrees);
+  void focus();         ///< turn around the point of the menu, else the one under the pointer
   void add_bookmark();  ///< of this camera, while there is room
   /// Shows the whole scan as at first, without a tilt of the user's.
   void go_home();
@@ -155,6 +164,7 @@ class Viewport {
   bool is_over_axes() const;
   double ratio() const { return pixel_ratio > 0 ? pixel_ratio : pixel_ratio_of(size_); }
   void drag_camera(const Eigen::Vector2d& by);
+  bool is_click(const Eigen::Vector2d& pixel);
   void drag_value(Document& document);
   void send_ring(Document& document);
 
@@ -166,7 +176,9 @@ class Viewport {
   PointerButton held_ = PointerButton::kLeft;
   std::optional<Press> last_press_;  // that turned the view
   bool is_focus_asked_ = false;
-  std::optional<StandardView> pressed_view_;  // of the end that a click has begun on
+  std::optional<StandardView> pressed_view_;    // of the end that a click has begun on
+  std::optional<Eigen::Vector2d> right_click_;  // of the right button, until the pointer moves
+  std::optional<Eigen::Vector2d> menu_asked_;
   std::optional<Eigen::Vector2d> pointer_;
   Eigen::Vector2d drag_from_ = Eigen::Vector2d::Zero();
   double value_from_ = 0;  // radius or strength when its drag began

@@ -42,6 +42,8 @@ std::optional<Status> do_view_line(const FrontWords& line, FrontParts& parts) {
   if (command == "lamp") return set_lamp(line, options.lighting);
   if (command == "bookmark") {
     viewport.add_bookmark();
+  } else if (command == "menu") {
+    viewport.menu.reset();
   } else if (command == "focus") {
     viewport.focus();
   } else if (command == "frame" && line.words.empty()) {

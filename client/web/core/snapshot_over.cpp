@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "client/model/view/position_text.h"
 #include "client/report/length_text.h"
 #include "client/web/core/snapshot.h"
 
@@ -14,6 +15,13 @@ constexpr double kFarthest = 1'000'000;  // pixels: a point behind the eye has n
 void write_place(const Eigen::Vector2d& pixel, JsonWriter& json) {
   for (const double value : {pixel.x(), pixel.y()})
     json.whole(std::isfinite(value) ? std::lround(std::clamp(value, -kFarthest, kFarthest)) : 0);
+}
+
+void write_menu(const PictureMenu& menu, double diagonal, JsonWriter& json) {
+  json.open().key("place").open_list();
+  write_place(menu.pixel, json);
+  json.close_list();
+  json.text("position", menu.point ? position_text(*menu.point, diagonal) : "").close();
 }
 
 }  // namespace
@@ -32,6 +40,8 @@ void write_over(const Workspace& workspace, JsonWriter& json) {
   const auto length = ruler.length();
   json.close_list().text("rulerLength",
                          length ? length_text(*length, document.unit(), kRulerDigits) : "");
+  json.key("menu");
+  viewport.menu ? write_menu(*viewport.menu, document.diagonal(), json) : void(json.null());
   json.close();
 }
 

@@ -49,6 +49,7 @@ function obey(line: string): void {
   if (words[0] === "tool") changeDocument({ tool: words[1] });
   if (words[0] === "wireframe" && now.document)
     changeDocument({ view: { ...now.document.view, wireframe: words[1] === "on" } });
+  if (line === "menu close" && now.document) changeDocument({ over: { ...now.document.over, menu: null } });
   if (words[0] === "panel") usePanel(words[2]!, words.slice(3).join(" "));
   if (line === "record start" || line === "record stop") change({ recording: line === "record start" });
 }

@@ -233,7 +233,7 @@ export const session: Document = {
     rulerPoints: 2,
     ruler: [{ name: "distance", value: "12.1 mm" }],
   },
-  over: { lasso: [], ruler: [], rulerLength: "" },
+  over: { lasso: [], ruler: [], rulerLength: "", menu: null },
   section: null,
   figures: [
     { name: "residual", value: "3.1e-07" },

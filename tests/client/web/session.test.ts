@@ -102,6 +102,81 @@ test("KeysAreThoseOfTheWindow", () =>
     await visit.sent("original off");
   }));
 
+test("ArrowsTurnTheViewInThePictureAlone", () =>
+  bench.visitSession(async (visit) => {
+    const picture = visit.page.getByRole("img", { name: "Picture of tablet" });
+    const arrows: [string, string][] = [
+      ["ArrowLeft", "turn -15 0"],
+      ["ArrowRight", "turn 15 0"],
+      ["ArrowUp", "turn 0 15"],
+      ["ArrowDown", "turn 0 -15"],
+    ];
+    for (const [key, line] of arrows) {
+      await picture.press(key);
+      await visit.sent(line);
+    }
+    await visit.forget();
+    await visit.page.getByRole("list", { name: "Entries" }).press("ArrowDown");
+    await visit.page.getByRole("slider", { name: "Gradient scale β", exact: true }).press("ArrowRight");
+    await visit.sentSome("beta ");
+    assert.ok(!(await visit.lines()).some((line) => line.startsWith("turn")));
+  }));
+
+test("ASessionGivesTheKeysToThePictureAndHasAHeading", () =>
+  bench.visit(async (visit) => {
+    await visit.openSession();
+    await visit.page.waitForFunction(() => document.activeElement?.classList.contains("picture"));
+    await visit.page.getByRole("main").getByRole("heading", { level: 1, name: "tablet · inscription" }).waitFor();
+  }));
+
+test("AClickOfTheRightButtonOpensTheMenuOfThePoint", () =>
+  bench.visitSession(async (visit) => {
+    const menu = visit.page.getByRole("menu", { name: "Picture" });
+    const open = async (position: string) => {
+      await menu.waitFor({ state: "detached" });
+      await visit.document({ over: { lasso: [], ruler: [], rulerLength: "", menu: { place: [90, 60], position } } });
+      await menu.waitFor();
+    };
+    await open("1.5 -2 0.25");
+    assert.match(await menu.getByRole("menuitem", { name: "Undo" }).innerText(), /Undo: Smooth stroke/);
+    await visit.forget();
+    await menu.getByRole("menuitem", { name: "Look at this point" }).click();
+    await visit.sent("menu close");
+    assert.deepEqual(await visit.lines(), ["focus", "menu close"]);
+    await open("");
+    assert.ok(await menu.getByRole("menuitem", { name: "Look at this point" }).isDisabled());
+    assert.ok(await menu.getByRole("menuitem", { name: "Copy position" }).isDisabled());
+    await visit.page.keyboard.press("ArrowDown");
+    await visit.page.keyboard.press("Enter");
+    await visit.sent("view front");
+    await open("1 2 3");
+    await visit.forget();
+    await visit.page.keyboard.press("Escape");
+    await visit.sent("menu close");
+  }));
+
+test("ThePositionIsCopiedWithoutTheClipboardOfASecurePage", () =>
+  bench.visitSession(async (visit) => {
+    await visit.page.evaluate(() => Object.defineProperty(navigator, "clipboard", { value: undefined }));
+    await visit.document({
+      over: { lasso: [], ruler: [], rulerLength: "", menu: { place: [90, 60], position: "1.5 -2 0.25" } },
+    });
+    await visit.page.getByRole("menuitem", { name: "Copy position" }).click();
+    await visit.page.getByText("copied 1.5 -2 0.25").waitFor();
+  }));
+
+test("AboutSaysVersionLicenceAndWhereTheManualIs", () =>
+  bench.visitSession(async (visit) => {
+    await visit.page.getByRole("button", { name: "Help" }).click();
+    await visit.page.getByRole("menuitem", { name: "About and manual" }).click();
+    const dialog = visit.page.getByRole("dialog", { name: "About Burnish" });
+    await dialog.getByText("Burnish 0.1.0").waitFor();
+    await dialog.getByText("MIT License").waitFor();
+    await dialog.getByText("docs/window.md").waitFor();
+    await visit.page.keyboard.press("Escape");
+    await dialog.waitFor({ state: "detached" });
+  }));
+
 test("LettersInANameFieldAreNoKeys", () =>
   bench.visitSession(async (visit) => {
     await visit.forget();

@@ -51,6 +51,7 @@ export const frontCommands: readonly FrontCommand[] = [
   { form: "turn AZIMUTH ELEVATION", means: "moves the eye around its target, to the right and upwards by degrees" },
   { form: "bookmark add", means: "remembers this view" },
   { form: "focus", means: "turns around the point under the pointer" },
+  { form: "menu close", means: "forgets the menu that a click of the right button has asked for" },
   { form: "cancel", means: "cancels the stroke or the lasso" },
   { form: "figures on|off", means: "says whether the figures are shown, which costs snapshots" },
   { form: "over protection|curves on|off", means: "shows the region, or where the palette's curves rule" },
@@ -156,5 +157,6 @@ export const command = {
     words("export", fileName(file), ...(exact ? ["exact"] : []), ...(record ? ["record"] : [])),
   picture: (file: string) => words("picture", fileName(file)),
   record: (on: boolean) => (on ? "record start" : "record stop"),
+  closeMenu: () => "menu close",
   cancel: () => "cancel",
 };

@@ -13,6 +13,7 @@ const kPointer = [
   ["Shift+Left", "Restore the original (β = 1)"],
   ["Middle, Alt+Left", "Turn"],
   ["Shift+Middle, Right", "Move"],
+  ["Click, right", "Menu of the point: look there, views, its position"],
   ["Double click, middle", "Turn about the point and come nearer"],
   ["Ctrl+Shift+Right", "Move the lamp"],
   ["Wheel", "Zoom at the cursor"],

@@ -6,6 +6,7 @@ import { command } from "./commands";
 import { useLink } from "./context";
 import { LassoPen } from "./lasso_pen";
 import type { PanelProps } from "./filter_panel";
+import { PictureMenu } from "./picture_menu";
 
 const kSplitMin = 0.05;
 const kSplitMax = 0.95;
@@ -28,6 +29,7 @@ export function OverPicture({ document, trial }: PanelProps & { trial?: string }
       {view.original && <span class="side whole">original</span>}
       {trial && <span class="side whole above">{trial}</span>}
       {view.split && !view.original && <SplitLine at={view.splitAt} />}
+      <PictureMenu document={document} />
       {document.lasso !== "off" && document.role !== "viewer" && <LassoPen />}
     </div>
   );

@@ -276,6 +276,8 @@ export interface Over {
   ruler: number[];
   /** Empty before the second end. */
   rulerLength: string;
+  /** A click of the right button asks for a menu there. `position`: "12.3 4.5 6.7"; empty: beside the surface. */
+  menu: { place: number[]; position: string } | null;
 }
 
 /** A cut along the ruler. */
