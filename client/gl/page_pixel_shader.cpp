@@ -19,7 +19,7 @@ uniform bool flat_normals;
 uniform bool edges;
 uniform bool faded;
 uniform int colouring;  // as Colouring
-uniform float displacement_range;
+uniform vec2 displacement_ends;
 uniform vec3 tint_colour;
 uniform int ring_count;
 uniform vec4 rings[8];  // centre, radius
@@ -39,7 +39,7 @@ vec3 surface_colour();
 vec3 base_colour() {
   vec3 base = kBaseOfKind[light_kind];
   if (colouring == 1) base = blue_to_red(value);
-  if (colouring == 2) base = blue_to_red(moved / displacement_range);
+  if (colouring == 2) base = blue_to_red(moved / (moved < 0.0 ? displacement_ends.x : displacement_ends.y));
   if (colouring == 3) base = surface_colour();
   if (overlay.a > 0.0) base = mix(base, linear(overlay.rgb / overlay.a), kOverlayStrength * overlay.a);
   bool is_stripe = fract((gl_FragCoord.x + gl_FragCoord.y) / kHatchPixels) < kStripePart;

@@ -54,7 +54,8 @@ void set_style(const ShaderProgram& program, const PageSpace& space, const DrawS
   program.set("edges", false);
   program.set("faded", style.faded);
   program.set("colouring", static_cast<int>(style.colouring));
-  program.set("displacement_range", static_cast<float>(style.displacement_range));
+  const ColourEnds& ends = style.displacement;
+  program.set("displacement_ends", Eigen::Vector2d(ends.low, ends.high).cast<float>().eval());
   program.set("tint_colour", style.tint);
   set_light(program, style.lighting);
   set_rings(program, space, style.rings);

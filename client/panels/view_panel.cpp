@@ -13,12 +13,6 @@ constexpr Option kColours[] = {{"clay", "Clay"},
                                {"displacement", "Displacement"},
                                {"scan", "Colours of the scan"}};  // as ColourBy
 
-constexpr Slider kDisplacement = {.name = "Displacement",
-                                  .hint = "",
-                                  .low = 0.05,
-                                  .high = 20,
-                                  .scale = SliderScale::kLogarithmic,
-                                  .note = "full colour at this many cells"};
 constexpr Slider kSplit = {.name = "Place of the split",
                            .hint = "",
                            .low = 0.05,
@@ -32,6 +26,35 @@ void choose_colour(Document& document, Widgets& widgets) {
   const int taken =
       widgets.choice({"Colour", options}, chosen < options.size() ? static_cast<int>(chosen) : -1);
   if (taken >= 0) document.set_colour(static_cast<ColourBy>(taken));
+}
+
+/// The ends of the colours in the scan's units. `scale`: of an end, in these.
+void show_ends(double scale, const std::string& unit, ColourEnds& ends, Widgets& widgets) {
+  const auto slider = [&](const char* name, const char* hint, double& end) {
+    double value = end * scale;
+    const Slider shown{.name = name,
+                       .hint = hint,
+                       .low = kColourEndMin * scale,
+                       .high = kColourEndMax * scale,
+                       .scale = SliderScale::kLogarithmic,
+                       .note = unit.c_str()};
+    if (widgets.slider(shown, value) != SliderChange::kStill) end = clamped_end(value / scale);
+  };
+  slider("Blue below zero", "What lies so far below zero, or farther, is full blue.", ends.low);
+  slider("Red above zero", "What lies so far above zero, or farther, is full red.", ends.high);
+  widgets.enable(!(ends == ColourEnds()));
+  if (widgets.button("Automatic ends", "Chooses both ends by the scan.")) ends = {};
+  widgets.enable(true);
+}
+
+void show_ends(const Document& document, ViewOptions& options, Widgets& widgets) {
+  const std::string& unit = document.unit();
+  if (document.colour() == ColourBy::kDisplacement)
+    show_ends(document.cell_size(), unit.empty() ? unit : "in " + unit, options.displacement,
+              widgets);
+  if (document.colour() == ColourBy::kCurvature)
+    show_ends(document.curve().kappa_range() / document.length_unit(),
+              unit.empty() ? unit : "in 1/" + unit, options.curvature, widgets);
 }
 
 void show_toggles(Viewport& viewport, Widgets& widgets) {
@@ -82,8 +105,7 @@ void show_view(Workspace& workspace, Widgets& widgets) {
   Document& document = *workspace.document();
   Viewport& viewport = workspace.viewport;
   choose_colour(document, widgets);
-  if (document.colour() == ColourBy::kDisplacement)
-    widgets.slider(kDisplacement, viewport.options.displacement_range);
+  show_ends(document, viewport.options, widgets);
   show_toggles(viewport, widgets);
   show_bookmarks(viewport, widgets);
   if (widgets.check("Left button turns the view", "", viewport.navigate_mode))

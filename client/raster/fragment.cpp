@@ -233,9 +233,10 @@ ShadeVector base_colour(const ShadedScene& scene, const SeenTriangle& triangle,
   }
   if (scene.colouring == Colouring::kDisplacement) {
     const bool is_still = triangle.of_original || triangle.page.along_normal.empty();
-    base = blue_to_red(is_still ? 0 : between(weights, [&](int i) {
-                                        return triangle.page.along_normal[triangle.corners[i]];
-                                      }) / scene.displacement_range);
+    const float moved = is_still ? 0 : between(weights, [&](int i) {
+      return triangle.page.along_normal[triangle.corners[i]];
+    });
+    base = blue_to_red(moved / (moved < 0 ? scene.displacement_low : scene.displacement_high));
   }
   if (scene.colouring == Colouring::kScan)
     base = scan_colour(triangle, triangle_of_id(fragment.id), weights, x, y);

@@ -45,7 +45,8 @@ ShadedScene make_shaded_scene(std::span<const RasterPage> pages, const PageSpace
   scene.projection = projection;
   scene.light = light_terms(style);
   scene.colouring = style.colouring;
-  scene.displacement_range = static_cast<float>(style.displacement_range);
+  scene.displacement_low = static_cast<float>(style.displacement.low);
+  scene.displacement_high = static_cast<float>(style.displacement.high);
   scene.base = base_of(style.lighting.kind);
   scene.tint = linear(shade_vector(style.tint));
   scene.rings = shaded_rings(space, style);

@@ -24,7 +24,7 @@ struct ShadedScene {
   PageProjection projection;
   LightTerms light;
   Colouring colouring = Colouring::kClay;
-  float displacement_range = 1;
+  float displacement_low = 1, displacement_high = 1;
   ShadeVector base;  ///< of the light's kind, linear
   ShadeVector tint;  ///< linear
   std::vector<ShadedRing> rings;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "client/scene/colour_ends.h"
 #include "client/scene/lighting.h"
 #include "common/base/types.h"
 
@@ -34,12 +35,12 @@ struct DrawStyle {
   bool flat = false;       ///< one normal per triangle
   bool wireframe = false;  ///< edges of triangles on top
   Colouring colouring = Colouring::kClay;
-  double displacement_range = 1;  ///< cells; full blue and full red
-  bool original = false;          ///< shows the surface without displacements
-  double split = 0;               ///< left part of the width that shows the original
-  bool faded = false;             ///< grey: the picture may be out of date
-  std::vector<Ring> rings;        ///< at most kRingsDrawnMax are drawn
-  Vec3f tint = Vec3f::Ones();     ///< sRGB, where VertexMark has a tint
+  ColourEnds displacement;     ///< cells
+  bool original = false;       ///< shows the surface without displacements
+  double split = 0;            ///< left part of the width that shows the original
+  bool faded = false;          ///< grey: the picture may be out of date
+  std::vector<Ring> rings;     ///< at most kRingsDrawnMax are drawn
+  Vec3f tint = Vec3f::Ones();  ///< sRGB, where VertexMark has a tint
   Lighting lighting;
 
   bool operator==(const DrawStyle&) const = default;

@@ -269,8 +269,13 @@ TEST_F(FrontPanels, TheViewIsSetAndBookmarksAreShown) {
   line("panel preview 0.25 View/Place of the split");
   EXPECT_EQ(viewport.options.split_at, 0.25);
   line("panel commit displacement View/Colour");
-  line("panel commit 2 View/Displacement");
-  EXPECT_EQ(viewport.options.displacement_range, 2);
+  const double cell = document()["cellSize"];
+  line("panel commit " + std::to_string(2 * cell) + " View/Blue below zero");
+  line("panel commit " + std::to_string(0.5 * cell) + " View/Red above zero");
+  EXPECT_NEAR(viewport.options.displacement.low, 2, 1e-3);
+  EXPECT_NEAR(viewport.options.displacement.high, 0.5, 1e-3);
+  line("panel commit press View/Automatic ends");
+  EXPECT_EQ(viewport.options.displacement, ColourEnds());
   line("panel commit press Camera/Top");
   line("panel commit press View/Bookmark");
   const Camera top = viewport.camera;

@@ -15,6 +15,7 @@
 #include "client/model/documents/sheet_finder.h"
 #include "client/model/tasks/message_log.h"
 #include "client/model/tasks/tasks.h"
+#include "client/scene/colour_ends.h"
 #include "client/surface/paged_surface.h"
 #include "client/tools/brush_tool.h"
 #include "client/tools/curve_editor.h"
@@ -197,6 +198,8 @@ class Document {
   void set_colour(ColourBy colour);
   bool has_colours() const { return opened_.scan.scan.has_colours; }
   ColourBy colour() const { return colour_; }
+  /// Sets the ends of the colours of curvature, as parts of the histogram's range.
+  void set_curvature_ends(const ColourEnds& ends) { curvature_ends_ = ends; }
 
   /// Shows the protected region, and the colours of the palette's curves where they rule. A stroke
   /// shows the region too.
@@ -314,6 +317,7 @@ class Document {
   std::vector<std::string> tinted_;  // strokes that no frame shows yet
 
   ColourBy colour_ = ColourBy::kNothing;
+  ColourEnds curvature_ends_, fetched_ends_;  // that are wanted, and those of the values
   bool is_renewing_pages_ = false;
   uint64_t values_version_ = 0;  // counts forget_values()
   bool is_fetching_values_ = false;

@@ -204,6 +204,7 @@ void Document::forget_values() {
 void Document::fetch_values() {
   if (colour_ != ColourBy::kBeta && colour_ != ColourBy::kCurvature) return;
   if (is_fetching_values_) return;
+  if (std::exchange(fetched_ends_, curvature_ends_) != curvature_ends_) forget_values();
   std::vector<PageId> missing;
   for (const PageId page : surface_->drawn_pages())
     if (!fetched_.contains(page)) missing.push_back(page);
@@ -242,9 +243,9 @@ void Document::take_values(const Result<std::vector<PageValues>>& first,
     for (size_t v = 0; v < marks.size(); ++v) {
       const float a = one.at(v), b = other.at(v);
       const float value = std::abs(b) > std::abs(a) ? b : a;
-      marks[v] =
-          to_mark(colour_ == ColourBy::kBeta ? signed_part_of_beta(value)
-                                             : signed_part_of_kappa(value, curve_.kappa_range()));
+      const double range = fetched_ends_.of(value) * curve_.kappa_range();
+      marks[v] = to_mark(colour_ == ColourBy::kBeta ? signed_part_of_beta(value)
+                                                    : signed_part_of_kappa(value, range));
     }
     surface_->marks().set_values(one.page, std::move(marks));
   }

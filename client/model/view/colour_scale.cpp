@@ -22,11 +22,12 @@ ColourScale beta_scale(const SurfaceHit* hit) {
 }
 
 // The window's κ is times L; a user measures 1/length.
-ColourScale curvature_scale(const Document& document, const SurfaceHit* hit) {
+ColourScale curvature_scale(const Document& document, const ColourEnds& ends,
+                            const SurfaceHit* hit) {
   const double range = document.curve().kappa_range(), unit = document.length_unit();
   const std::string per = document.unit().empty() ? "" : " 1/" + document.unit();
   const auto text = [&](double part) {
-    return short_number(kappa_of_signed_part(part, range) / unit) + per;
+    return short_number(kappa_of_signed_part(part, ends.of(part) * range) / unit) + per;
   };
   ColourScale scale{"curvature", text(-1), "0", text(1)};
   if (hit == nullptr) return scale;
@@ -37,11 +38,12 @@ ColourScale curvature_scale(const Document& document, const SurfaceHit* hit) {
 
 ColourScale displacement_scale(const Document& document, const ViewOptions& options,
                                const SurfaceHit* hit) {
-  const double range = options.displacement_range * document.cell_size();
-  ColourScale scale{"displacement", length_text(-range, document.unit()), "0",
-                    length_text(range, document.unit())};
+  const ColourEnds& ends = options.displacement;
+  const double cell = document.cell_size();
+  ColourScale scale{"displacement", length_text(-ends.low * cell, document.unit()), "0",
+                    length_text(ends.high * cell, document.unit())};
   if (hit == nullptr) return scale;
-  scale.part = std::clamp(hit->moved() / range, -1.0, 1.0);
+  scale.part = std::clamp(hit->moved() / (ends.of(hit->moved()) * cell), -1.0, 1.0);
   scale.value = length_text(hit->moved(), document.unit());
   return scale;
 }
@@ -54,7 +56,7 @@ std::optional<ColourScale> colour_scale(const Document& document, const Viewport
     case ColourBy::kBeta:
       return beta_scale(hit);
     case ColourBy::kCurvature:
-      return curvature_scale(document, hit);
+      return curvature_scale(document, viewport.options.curvature, hit);
     case ColourBy::kDisplacement:
       return displacement_scale(document, viewport.options, hit);
     case ColourBy::kNothing:

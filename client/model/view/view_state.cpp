@@ -40,6 +40,18 @@ std::optional<Camera> camera_of(const toml::table* table) {
   return is_sound(camera) ? std::optional(camera) : std::nullopt;
 }
 
+toml::array ends_to_toml(const ColourEnds& ends) {
+  return toml::array{ends.low, ends.high};
+}
+
+/// `otherwise`: where the table has none, as those of earlier versions.
+ColourEnds ends_of(const toml::table& table, const char* key, double otherwise) {
+  const auto end = [&](size_t number) {
+    return clamped_end(table[key][number].value_or(otherwise));
+  };
+  return {end(0), end(1)};
+}
+
 toml::table view_to_toml(const ViewKey& key, const ViewState& view) {
   toml::array bookmarks;
   for (size_t i = 0; i < std::min(view.bookmarks.size(), kBookmarksMax); ++i)
@@ -52,7 +64,8 @@ toml::table view_to_toml(const ViewKey& key, const ViewState& view) {
                      {"wireframe", view.options.wireframe},
                      {"split", view.options.split},
                      {"split_at", view.options.split_at},
-                     {"displacement_range", view.options.displacement_range},
+                     {"displacement", ends_to_toml(view.options.displacement)},
+                     {"curvature", ends_to_toml(view.options.curvature)},
                      {"scale_bar", view.options.scale_bar},
                      {"axes", view.options.axes},
                      {"light", to_toml(view.options.lighting)},
@@ -66,8 +79,8 @@ ViewOptions options_of(const toml::table& table) {
   options.wireframe = table["wireframe"].value_or(false);
   options.split = table["split"].value_or(false);
   options.split_at = std::clamp(table["split_at"].value_or(options.split_at), 0.05, 0.95);
-  const double range = table["displacement_range"].value_or(options.displacement_range);
-  options.displacement_range = std::clamp(range, 0.05, 20.0);
+  options.displacement = ends_of(table, "displacement", table["displacement_range"].value_or(1.0));
+  options.curvature = ends_of(table, "curvature", 1);
   options.scale_bar = table["scale_bar"].value_or(options.scale_bar);
   options.axes = table["axes"].value_or(options.axes);
   if (const toml::table* light = table["light"].as_table()) options.lighting = lighting_of(*light);

@@ -281,6 +281,7 @@ bool Viewport::shows_original(const Vector2d& pixel) const {
 
 void Viewport::update(Document& document) {
   camera = with_depth_of(camera, document.box());
+  document.set_curvature_ends(options.curvature);
   if (std::exchange(value_changes_, false)) drag_value(document);
   if (std::exchange(lasso_is_drawn_, false)) end_lasso(document);
   for (const Event& event : std::exchange(events_, {})) paint(event, document);
@@ -410,7 +411,7 @@ DrawStyle Viewport::style(const Document& document) const {
   style.flat = options.flat;
   style.wireframe = options.wireframe;
   style.colouring = colouring_of(document.colour());
-  style.displacement_range = options.displacement_range;
+  style.displacement = options.displacement;
   style.original = hold_original;
   style.lighting = options.lighting;
   style.split = options.split ? options.split_at : 0;

@@ -28,9 +28,10 @@ struct ViewOptions {
   bool flat = false;
   bool wireframe = false;
   bool split = false;
-  double split_at = 0.5;          ///< part of the width
-  double displacement_range = 1;  ///< cells
-  bool scale_bar = true;          ///< also in pictures that are saved
+  double split_at = 0.5;    ///< part of the width
+  ColourEnds displacement;  ///< of its colours, cells
+  ColourEnds curvature;     ///< of its colours, parts of the histogram's range
+  bool scale_bar = true;    ///< also in pictures that are saved
   bool axes = true;
   Lighting lighting;
 

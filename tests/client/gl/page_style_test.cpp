@@ -41,7 +41,7 @@ class PageStyle : public PageStage {
 };
 
 TEST_F(PageStyle, OutwardMovesAreRedInwardOnesBlueAndTheRangeIsFullColour) {
-  const DrawStyle style{.colouring = Colouring::kDisplacement, .displacement_range = 2};
+  const DrawStyle style{.colouring = Colouring::kDisplacement, .displacement = {2, 2}};
   grow(2);
   const auto outwards = rgb_at(draw(style), kMiddle);
   EXPECT_GT(outwards[0], outwards[2] + 40);
@@ -52,9 +52,22 @@ TEST_F(PageStyle, OutwardMovesAreRedInwardOnesBlueAndTheRangeIsFullColour) {
   const auto inwards = rgb_at(draw(style), kMiddle);
   EXPECT_GT(inwards[2], inwards[0] + 40);
   const auto original = rgb_at(
-      draw({.colouring = Colouring::kDisplacement, .displacement_range = 2, .original = true}),
+      draw({.colouring = Colouring::kDisplacement, .displacement = {2, 2}, .original = true}),
       kMiddle);
   EXPECT_NEAR(original[0], original[2], 15);
+}
+
+TEST_F(PageStyle, EachEndOfTheColoursHasItsOwnRange) {
+  const auto warmth = [&](double move, const ColourEnds& ends) {
+    grow(move);
+    const auto rgb =
+        rgb_at(draw({.colouring = Colouring::kDisplacement, .displacement = ends}), kMiddle);
+    return int{rgb[0]} - int{rgb[2]};
+  };
+  EXPECT_EQ(warmth(2, {1, 8}), warmth(2, {100, 8}));
+  EXPECT_LT(warmth(2, {1, 8}), warmth(2, {1, 2}) - 10);
+  EXPECT_EQ(warmth(-2, {8, 1}), warmth(-2, {8, 100}));
+  EXPECT_GT(warmth(-2, {8, 1}), warmth(-2, {2, 1}) + 10);
 }
 
 TEST_F(PageStyle, AFadedPictureIsGrey) {

@@ -20,6 +20,8 @@ ViewState some_view() {
   view.camera.orthographic = true;
   view.options.split = true;
   view.options.split_at = 0.25;
+  view.options.displacement = {0.5, 3};
+  view.options.curvature = {0.25, 2};
   view.options.scale_bar = false;
   view.options.axes = false;
   view.options.lighting = {.kind = LightKind::kCavity, .azimuth_degrees = 10, .occlusion = 0.5};
@@ -90,6 +92,15 @@ TEST(ViewState, DamageIsAnUnknownSession) {
   EXPECT_FALSE(read_view(file, {"", "abc"}).has_value());
   ASSERT_TRUE(write_view(file, {"", "abc"}, some_view()).is_ok());
   EXPECT_TRUE(read_view(file, {"", "abc"}).has_value());
+}
+
+TEST(ViewState, OneRangeOfAnEarlierVersionIsThatOfBothEnds) {
+  const TemporaryFolder folder;
+  const auto file = folder / "views.toml";
+  std::ofstream(file) << "[[views]]\nserver = \"\"\nsession = \"abc\"\ndisplacement_range = 4.0\n"
+                         "camera = {distance = 1.0, target = [0.0, 0.0, 0.0]}\n";
+  EXPECT_EQ(read_view(file, {"", "abc"})->options.displacement, (ColourEnds{4, 4}));
+  EXPECT_EQ(read_view(file, {"", "abc"})->options.curvature, ColourEnds());
 }
 
 TEST(ViewState, ValuesBeyondTheirLimitsAreThoseOfANewView) {

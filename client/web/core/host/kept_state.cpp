@@ -93,6 +93,20 @@ Camera camera_in(const Json& object) {
   return camera;
 }
 
+void write(const char* name, const ColourEnds& ends, JsonWriter& json) {
+  json.key(name).open_list().number(ends.low).number(ends.high).close_list();
+}
+
+ColourEnds ends_in(const Reader& reader, const char* name, double otherwise) {
+  const Json* const found = reader.find(name);
+  const auto end = [&](size_t number) {
+    const bool is_there = found && found->is_array() && number < found->size();
+    return clamped_end(is_there && (*found)[number].is_number() ? (*found)[number].get<double>()
+                                                                : otherwise);
+  };
+  return {end(0), end(1)};
+}
+
 std::string key_of(const ViewKey& key) {
   return key.server + " " + key.session;
 }
@@ -104,7 +118,8 @@ void write(const ViewState& view, JsonWriter& json) {
   write(view.options.lighting, json);
   json.flag("flat", view.options.flat).flag("wireframe", view.options.wireframe);
   json.flag("split", view.options.split).number("splitAt", view.options.split_at);
-  json.number("displacementRange", view.options.displacement_range);
+  write("displacement", view.options.displacement, json);
+  write("curvature", view.options.curvature, json);
   json.flag("scaleBar", view.options.scale_bar).flag("axes", view.options.axes);
   json.whole("colour", static_cast<int>(view.colour)).key("bookmarks").open_list();
   for (size_t i = 0; i < std::min(view.bookmarks.size(), kBookmarksMax); ++i)
@@ -123,7 +138,10 @@ ViewState view_in(const Json& object) {
   reader.take("wireframe", view.options.wireframe);
   reader.take("split", view.options.split);
   reader.take("splitAt", view.options.split_at);
-  reader.take("displacementRange", view.options.displacement_range);
+  double range = 1;  // of earlier versions
+  reader.take("displacementRange", range);
+  view.options.displacement = ends_in(reader, "displacement", range);
+  view.options.curvature = ends_in(reader, "curvature", 1);
   reader.take("scaleBar", view.options.scale_bar);
   reader.take("axes", view.options.axes);
   reader.take_kind("colour", kColours, view.colour);
