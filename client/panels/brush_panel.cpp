@@ -64,21 +64,39 @@ void choose_painted(Workspace& workspace, const Brush& brush, Widgets& widgets) 
 void show_painted_value(Brush& brush, Widgets& widgets) {
   if (brush.curve > 0) return;
   const auto scale = brush.has_own_limits() ? SliderScale::kLinear : SliderScale::kBeta;
-  const char* const name = brush.edges                   ? "Painted strength"
-                           : brush.band || brush.texture ? "Painted gain"
-                                                         : "Painted β";
-  widgets.slider({name, "", 0, brush.value_max(), scale}, brush.beta);
+  struct Painted {
+    const char* name;
+    const char* hint;
+  };
+  const Painted painted =
+      brush.edges
+          ? Painted{"Painted strength", "How much noise goes under the brush: 0 none, 1 all of it."}
+      : brush.band || brush.texture
+          ? Painted{"Painted gain",
+                    "What stays of these details under the brush: 0 nothing, 1 all, more makes "
+                    "them "
+                    "stronger."}
+          : Painted{"Painted β",
+                    "What the brush does to details: on the left it smooths, in the middle it "
+                    "restores the scan, on the right it sharpens. β is the gradient scale there."};
+  widgets.slider({painted.name, painted.hint, 0, brush.value_max(), scale}, brush.beta);
 }
 
 void show_shape(double diagonal, Brush& brush, Widgets& widgets) {
   widgets.slider({.name = "Radius",
-                  .hint = "",
+                  .hint = "How far the brush reaches from the point under the pointer. [ and ] "
+                          "change it, F by a move of the mouse.",
                   .low = 1e-4 * diagonal,
                   .high = 0.5 * diagonal,
                   .scale = SliderScale::kLogarithmic,
                   .note = "in the scan's units"},
                  brush.radius);
-  widgets.slider({.name = "Strength", .hint = "", .low = 0.01, .high = 1, .digits = 0},
+  widgets.slider({.name = "Strength",
+                  .hint = "How much of it one touch does: 1 all at once; with less, strokes over "
+                          "each other add up. Shift+F changes it by a move of the mouse.",
+                  .low = 0.01,
+                  .high = 1,
+                  .digits = 0},
                  brush.strength);
 }
 

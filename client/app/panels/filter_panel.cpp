@@ -100,8 +100,15 @@ void FilterPanel::read_own(MessageLog& log) {
   }
 }
 
+static constexpr const char* kBetaHint =
+    "How much the whole surface is smoothed or sharpened, but for what is painted: on the left it "
+    "is "
+    "smoothed, in the middle it stays, on the right it is sharpened. Its slopes are multiplied by "
+    "β.";
+
 static void draw_beta(Document& document, MessageLog& log) {
   ImGui::TextUnformatted("Gradient scale β");
+  hint(kBetaHint);
   ImGui::SameLine();
   faint_text(document.beta() < 1 ? "smooths" : document.beta() > 1 ? "sharpens" : "keeps");
   double beta = document.beta();

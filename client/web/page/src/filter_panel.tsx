@@ -107,7 +107,11 @@ function Beta({ document }: PanelProps) {
   const link = useLink();
   return (
     <>
-      <Title text="Gradient scale β" note={betaTone(document.beta)} />
+      <Title
+        text="Gradient scale β"
+        note={betaTone(document.beta)}
+        hint="How much the whole surface is smoothed or sharpened, but for what is painted: on the left it is smoothed, in the middle it stays, on the right it is sharpened. Its slopes are multiplied by β."
+      />
       <Slider
         name="Gradient scale β"
         value={document.beta}
