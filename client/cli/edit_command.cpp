@@ -33,9 +33,9 @@ struct EditedSession {
 
 /// Asks the scan's own noise, if the user leaves it to that, and says the answer.
 Status propose(const std::string& scan, FilterChoice& choice, Connection& connection) {
-  if (!choice.asks_for_proposal()) return Status::ok();
+  if (!choice.asks_for_noise()) return Status::ok();
   ASSIGN_OR_RETURN(const EdgeProposal proposal, connection.propose_edges(scan, {}));
-  std::cerr << choice.take(proposal) << "\n";
+  std::cerr << choice.take(proposal);
   return Status::ok();
 }
 
@@ -55,9 +55,15 @@ Result<EditedSession> look_at(EditOptions& options, Connection& connection) {
   if (!scan.prepared)
     return failed_precondition("scan " + scan.scan.name + " is not prepared at depth " +
                                std::to_string(session.key.depth));
-  there.lengths = {scan.prepared->length_unit, scan.prepared->cell_size,
-                   scan.scan.statistics.mean_edge_length};
   RETURN_IF_ERROR(propose(session.scan_id, options.filter, connection));
+  const bool keeps_volume = options.controls.over(there.settings.controls).keep_volume;
+  there.lengths = {scan.prepared->length_unit,
+                   scan.prepared->cell_size,
+                   scan.scan.statistics.mean_edge_length,
+                   sharp_bend_of(scan.prepared->histogram_range, scan.prepared->histogram),
+                   filter.noise,
+                   !keeps_volume && filter.equaliser.bands.empty()};
+  std::cerr << told_preset(filter, there.lengths);
   return there;
 }
 

@@ -3,6 +3,7 @@
 #include "client/cli/command.h"
 #include "client/cli/in_range.h"
 #include "client/tools/own_presets.h"
+#include "client/tools/presets.h"
 #include "common/base/check.h"
 #include "common/base/text_lines.h"
 #include "common/edit/edit_lines.h"
@@ -168,10 +169,32 @@ EdgeFilter FilterChoice::with_own_values(EdgeFilter filter) const {
   return filter;
 }
 
+bool FilterChoice::asks_for_noise() const {
+  if (asks_for_proposal()) return true;
+  const auto found = find_any_preset(preset);
+  return found.is_ok() && follows_noise(*found);
+}
+
+// Bands exclude kept edges.
+bool FilterChoice::preset_keeps_edges() const {
+  const auto found = find_any_preset(preset);
+  return found.is_ok() && found->keeps_edges && equaliser.bands.empty();
+}
+
 std::string FilterChoice::take(const EdgeProposal& proposal) {
+  noise = proposal;
+  if (keep_edges != kAutoEdges) return {};
   proposed_edges = proposal.filter;
   if (!proposal.filter.is_on()) keep_edges.clear();
-  return text_of(proposal, with_own_values(proposal.filter));
+  return text_of(proposal, with_own_values(proposal.filter)) + "\n";
+}
+
+std::string told_preset(const FilterChoice& choice, const ScanLengths& scan) {
+  const auto preset = find_any_preset(choice.preset);
+  if (choice.preset.empty() || !preset.is_ok()) return {};
+  const bool is_whole = choice.strength == 1;
+  return preset->name + ": " + effect_of(*preset, scan) +
+         (is_whole ? ".\n" : ", at full strength.\n");
 }
 
 // Without another fidelity waves of some edges are its own.
@@ -185,7 +208,7 @@ static Status add_edges(const FilterChoice& choice, const ScanLengths& scan, Cha
   }
   if (!choice.names_edges()) return Status::ok();
   EdgeFilter filter;
-  if (choice.asks_for_proposal()) {
+  if (choice.keep_edges == kAutoEdges) {
     BURNISH_CHECK(choice.proposed_edges, "the front has asked the scan");
     filter = *choice.proposed_edges;
   } else {
@@ -213,16 +236,24 @@ static Status add_lines(const FilterChoice& choice, Settings now, Changes& chang
   return Status::ok();
 }
 
+// Edges end before bands begin and the other way round, for they exclude each other.
+static void add_preset(const PresetFilter& filter, const FilterChoice& choice,
+                       const Settings& in_force, Changes& changes) {
+  const bool turns_edges = changes_edges(filter, in_force.edges);
+  if (turns_edges && !filter.edges->is_on()) changes.emplace_back(SetEdges{});
+  changes.emplace_back(SetTransferCurve{filter.curve});
+  changes.emplace_back(SetGradientScale{filter.beta});
+  if (choice.equaliser.bands.empty() && filter.equaliser != in_force.equaliser)
+    changes.emplace_back(SetEqualiser{filter.equaliser});
+  if (turns_edges && filter.edges->is_on()) changes.emplace_back(SetEdges{*filter.edges});
+}
+
 Result<Changes> changes_of(const FilterChoice& choice, const ScanLengths& scan,
                            const Settings& in_force) {
   Changes changes;
   if (!choice.preset.empty()) {
     ASSIGN_OR_RETURN(const Preset preset, find_any_preset(choice.preset));
-    const PresetFilter filter = filter_of(preset, choice.strength, scan);
-    changes.emplace_back(SetTransferCurve{filter.curve});
-    changes.emplace_back(SetGradientScale{filter.beta});
-    if (choice.equaliser.bands.empty() && filter.equaliser != in_force.equaliser)
-      changes.emplace_back(SetEqualiser{filter.equaliser});
+    add_preset(filter_of(preset, choice.strength, scan), choice, in_force, changes);
   }
   if (choice.alpha) changes.emplace_back(SetTransferCurve{TransferCurve(*choice.alpha)});
   if (choice.wavelength)

@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "client/tools/presets.h"
+#include "client/tools/scan_lengths.h"
 #include "common/edit/edit.h"
 #include "common/edit/proposed_edges.h"
 
@@ -22,6 +22,7 @@ struct FilterChoice {
   std::string palette_file;
   std::optional<double> colour_beta, colour_alpha, texture_gain, remove_light, level_seams;
   std::string keep_edges;  ///< name of an edge preset, kAutoEdges or kNoEdges; empty: as before
+  std::optional<EdgeProposal> noise;         ///< of the scan, if asks_for_noise()
   std::optional<EdgeFilter> proposed_edges;  ///< with kAutoEdges, by the scan
   std::optional<double> edge_strength, edge_angle, crispness;
   std::optional<int> edge_passes;
@@ -31,13 +32,18 @@ struct FilterChoice {
   bool needs_scan() const { return wavelength || !preset.empty() || names_edges(); }
   /// Returns whether the edits depend on those before them.
   bool needs_settings() const { return !preset.empty() || !lines.empty(); }
-  bool asks_for_proposal() const { return keep_edges == kAutoEdges; }
+  bool asks_for_proposal() const { return keep_edges == kAutoEdges || preset_keeps_edges(); }
+  /// Returns whether the edits depend on the scan's noise.
+  bool asks_for_noise() const;
   bool names_edges() const { return !keep_edges.empty() && keep_edges != kNoEdges; }
-  bool keeps_edges() const { return names_edges() && edge_strength.value_or(1) > 0; }
+  bool keeps_edges() const {
+    return preset_keeps_edges() || (names_edges() && edge_strength.value_or(1) > 0);
+  }
+  bool preset_keeps_edges() const;
   /// Returns the filter with the values that the user gave.
   EdgeFilter with_own_values(EdgeFilter filter) const;
-  /// Keeps edges as the scan asks; without noise to speak of it changes nothing. Returns what is
-  /// done, in words.
+  /// Takes what was measured. With kAutoEdges keeps edges as the scan asks; without noise to speak
+  /// of that changes nothing. Returns what is done, in words.
   std::string take(const EdgeProposal& proposal);
 };
 
@@ -48,6 +54,9 @@ void add_filter_options(CLI::App& command, FilterChoice& choice);
 
 /// Adds --keep-edges and what changes its presets.
 void add_edge_options(CLI::App& command, FilterChoice& choice);
+
+/// Says what the choice's preset will do: "Soften: Waves under 8.4 go."; empty without a preset.
+std::string told_preset(const FilterChoice& choice, const ScanLengths& scan);
 
 /// Returns the edits that the choice stands for: curve, β, palette, equaliser, colours, texture,
 /// then its lines; none for what is not given. A preset ends the bands that are in force. Fails:

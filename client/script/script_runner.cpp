@@ -88,7 +88,7 @@ Status ScriptRunner::run_line(const ScriptLine& line) {
   if (command == "size") return run_size(line);
   if (is_view_command(command)) return run_view(line);
   RETURN_IF_ERROR(change_document(line, *document));
-  return command == "keep_edges" ? wait_for_noise() : update();
+  return command == "keep_edges" || command == "preset" ? wait_for_noise() : update();
 }
 
 Status ScriptRunner::wait_for_noise() {

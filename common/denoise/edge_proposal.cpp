@@ -72,12 +72,17 @@ EdgeFilter few_passes(double noise_in_edges) {
   return filter;
 }
 
+EdgeProposal noise_of(const WeldedSurface& surface, const LoopPart& part) {
+  EdgeProposal proposal;
+  proposal.noise = noise_deviation(surface, part.of(0, 0.9));
+  proposal.mean_edge = mean_side(surface, part.of(0.9, 1));
+  return proposal;
+}
+
 EdgeProposal proposed(const DenoiseSurface& surface, const ScratchSpace& space,
                       const Progress& progress) {
   const LoopPart noise = {progress, "noise"}, edges = {progress, "edges"};
-  EdgeProposal proposal;
-  proposal.noise = noise_deviation(surface.welded, noise.of(0, 0.9));
-  proposal.mean_edge = mean_side(surface.welded, noise.of(0.9, 1));
+  EdgeProposal proposal = noise_of(surface.welded, noise);
   if (proposal.noise_in_edges() < kNoiseMin) return proposal;
   proposal.is_machined = is_machined(surface, space, edges);
   proposal.filter = proposal.is_machined ? machined() : few_passes(proposal.noise_in_edges());
@@ -89,6 +94,14 @@ EdgeProposal proposed(const DenoiseSurface& surface, const ScratchSpace& space,
 Result<EdgeProposal> propose_edges(const DenoiseSurface& surface, const ScratchSpace& space,
                                    const Progress& progress) {
   return unless_left([&] { return proposed(surface, space, progress); });
+}
+
+Result<EdgeProposal> measure_noise(const MeshView& mesh, const ScratchSpace& space,
+                                   const Progress& progress) {
+  return unless_left([&] {
+    const LoopPart noise = {progress, "noise"};
+    return noise_of(WeldedSurface(mesh, space, noise.of(0, 0.5)), noise.of(0.5, 1));
+  });
 }
 
 // Peaks while a guided filter is made: the surface, its rings, nearness, normals and guides.

@@ -105,7 +105,7 @@ void draw_all(const std::filesystem::path& out) {
   std::vector<Image> tiles;
   for (const Filter& filter : filters) {
     Positions noisy = filter.apply(tablet.noisy());
-    const LetterContrast told = tablet.contrast(noisy, filter.apply(tablet.clean()));
+    const LetterContrast told = tablet.contrast(noisy, filter.apply(tablet.mirrored()));
     std::printf("| %s | %.2f | %.2f | %.1f |\n", filter.name, told.contrast, told.noise,
                 told.ratio());
     if (filter.is_drawn) tiles.push_back(draw(tablet.noisy(), std::move(noisy)));

@@ -7,6 +7,7 @@
 
 #include "client/model/workspace/session_pictures.h"
 #include "client/raster/raster_page_renderer.h"
+#include "client/tools/presets.h"
 #include "common/base/text_lines.h"
 #include "common/generate/generate.h"
 #include "common/mesh/io/mesh_io.h"
@@ -73,6 +74,11 @@ class StrengthsOfThePage : public FrontService {
     const auto file =
         picture_path(workspace.picture_folder(), workspace.preferences.recent.front());
     return read_text_file(file).value();
+  }
+
+  /// Returns what a preset is on the session's scan.
+  PresetFilter filter(const char* preset, double strength = 1) {
+    return filter_of(*find_preset(preset), strength, shown().lengths());
   }
 
   bool has_closed() {
@@ -154,7 +160,7 @@ TEST_F(StrengthsOfThePage, ThePageHasThePicturesAndTheSessionKeepsItsValues) {
     EXPECT_THAT(strengths_[picture["number"]], HasSubstr("data:image/png;base64,"));
   ASSERT_TRUE(rests());
   EXPECT_EQ(shown().edits_known(), edits);
-  EXPECT_EQ(shown().beta(), 0);
+  EXPECT_NEAR(shown().beta(), filter("Soften").beta, 1e-9);
   EXPECT_LT(difference(before, drawn()), 0.1);
 }
 
@@ -163,7 +169,7 @@ TEST_F(StrengthsOfThePage, TheViewSaysWhatItTries) {
   ASSERT_TRUE(is_trying());
   EXPECT_EQ(strip().trial_text(), "trying strength 0.33");
   EXPECT_FALSE(shown().is_settled());
-  EXPECT_EQ(shown().beta(), 0) << "sliders stay";
+  EXPECT_NEAR(shown().beta(), filter("Soften").beta, 1e-9) << "sliders stay";
 }
 
 // The server may take the preview and its end at once, or hear of neither.
@@ -299,12 +305,14 @@ TEST_F(StrengthsOfThePage, AChoiceBeforeAllPicturesAreThereCounts) {
   line("strengths choose 0");
   ASSERT_TRUE(has_closed());
   ASSERT_TRUE(rests());
-  EXPECT_NEAR(owner_.state("desk")->settings.beta, 2.0 / 3, 1e-9);
+  EXPECT_NEAR(owner_.state("desk")->settings.beta, filter("Soften", 1.0 / 3).beta, 1e-9);
 }
 
 TEST_F(StrengthsOfThePage, APresetThatAnotherUserAppliedStaysInForceAtTheChosenStrength) {
   open_with("Soften 1");
-  const Edit edits[] = {{"one", SetTransferCurve{TransferCurve(50)}}, {"two", SetGradientScale{0}}};
+  const PresetFilter gentle = filter("Smooth gently");
+  const Edit edits[] = {{"one", SetTransferCurve{gentle.curve}},
+                        {"two", SetGradientScale{gentle.beta}}};
   ASSERT_TRUE(owner_.apply("desk", edits).is_ok());
   ASSERT_TRUE(until([this] { return snapshot_["preset"]["name"] == "Smooth gently"; }));
   line("strengths open");

@@ -22,7 +22,8 @@ class Presets : public testing::Test {
   }
 
   LetterContrast after(const std::string& preset) {
-    return tablet_.contrast(filtered(tablet_.noisy(), preset), filtered(tablet_.clean(), preset));
+    return tablet_.contrast(filtered(tablet_.noisy(), preset),
+                            filtered(tablet_.mirrored(), preset));
   }
 
   // Coarse for speed: a stroke is hardly wider than two cells, so its own height falls a little.
@@ -30,7 +31,7 @@ class Presets : public testing::Test {
   const TemporaryFolder folder_;
   const NoisyTablet tablet_{90'000, 0.3};
   const LetterContrast before_ =
-      tablet_.contrast(tablet_.noisy().vertices, tablet_.clean().vertices);
+      tablet_.contrast(tablet_.noisy().vertices, tablet_.mirrored().vertices);
 };
 
 TEST_F(Presets, BringOutAnInscriptionRaisesTheLettersContrastToNoiseOnANoisyTablet) {
@@ -39,6 +40,13 @@ TEST_F(Presets, BringOutAnInscriptionRaisesTheLettersContrastToNoiseOnANoisyTabl
   EXPECT_LT(brought.noise, before_.noise);
   EXPECT_GT(brought.ratio(), 1.5 * before_.ratio());
   EXPECT_LT(brought.largest_move, 8);
+}
+
+TEST_F(Presets, SharpeningAtFullStrengthBuriesNoLetters) {
+  const LetterContrast sharp = after("Sharpen all");
+  EXPECT_GT(sharp.contrast, 0.9 * before_.contrast);
+  EXPECT_GT(sharp.ratio(), before_.ratio());
+  EXPECT_LT(sharp.largest_move, 8);
 }
 
 TEST_F(Presets, ReduceScannerNoiseTakesHalfOfItAndLeavesTheLetters) {

@@ -16,14 +16,15 @@ static TriangleMesh tablet(uint64_t vertices, uint64_t seed, double noise, Noise
 }
 
 NoisyTablet::NoisyTablet(uint64_t vertices, double noise, NoiseKind kind, uint64_t seed)
-    : noisy_(tablet(vertices, seed, noise, kind)), clean_(tablet(vertices, seed, 0, kind)) {
+    : noisy_(tablet(vertices, seed, noise, kind)), mirrored_(tablet(vertices, seed, 0, kind)) {
   constexpr double kFaceLow = -15, kMiddleDepth = 1.4;
   const TabletStone stone = generated_tablet_stone(seed);
-  for (uint32_t v = 0; v < clean_.vertices.size(); ++v) {
-    const Vec3d& p = clean_.vertices[v];
+  for (uint32_t v = 0; v < noisy_.vertices.size(); ++v) {
+    const Vec3d p = mirrored_.vertices[v];
     const auto depth = p.z() > kFaceLow ? stone.letter_depth(p.head<2>()) : std::nullopt;
     if (depth && *depth > kMiddleDepth) letters_.push_back(v);
     if (depth && *depth == 0) beside_.push_back(v);
+    mirrored_.vertices[v] = 2 * p - noisy_.vertices[v];
   }
   BURNISH_CHECK(!letters_.empty() && !beside_.empty(), "the tablet has its inscription");
 }
@@ -35,13 +36,13 @@ static double mean_height(const std::vector<Vec3d>& points, const std::vector<ui
 }
 
 LetterContrast NoisyTablet::contrast(const std::vector<Vec3d>& noisy_edited,
-                                     const std::vector<Vec3d>& clean_edited) const {
+                                     const std::vector<Vec3d>& mirrored_edited) const {
   LetterContrast result;
   result.contrast = mean_height(noisy_edited, beside_) - mean_height(noisy_edited, letters_);
   double squares = 0;
   for (const auto* part : {&letters_, &beside_})
     for (const uint32_t v : *part) {
-      const double difference = noisy_edited[v].z() - clean_edited[v].z();
+      const double difference = (noisy_edited[v].z() - mirrored_edited[v].z()) / 2;
       squares += difference * difference;
     }
   result.noise = std::sqrt(squares / static_cast<double>(letters_.size() + beside_.size()));

@@ -16,7 +16,7 @@ struct LetterContrast {
   double ratio() const { return contrast / noise; }
 };
 
-/// A generated tablet as scanned, and the same stone without the scanner's noise.
+/// A generated tablet as scanned, and the same stone with the scanner's noise the other way.
 class NoisyTablet {
  public:
   /// `noise`: its deviation over the mean edge. Another seed: another stone and other noise.
@@ -24,14 +24,15 @@ class NoisyTablet {
               uint64_t seed = 1);
 
   const TriangleMesh& noisy() const { return noisy_; }
-  const TriangleMesh& clean() const { return clean_; }
+  const TriangleMesh& mirrored() const { return mirrored_; }
 
-  /// Measures what a filter made of both. Noise is where they differ, along the face's normal.
+  /// Measures what a filter made of both. Noise is half of what they differ by, along the face's
+  /// normal: a filter that follows the noise is the same one for both.
   LetterContrast contrast(const std::vector<Vec3d>& noisy_edited,
-                          const std::vector<Vec3d>& clean_edited) const;
+                          const std::vector<Vec3d>& mirrored_edited) const;
 
  private:
-  TriangleMesh noisy_, clean_;
+  TriangleMesh noisy_, mirrored_;
   std::vector<uint32_t> letters_, beside_;  // vertices
 };
 

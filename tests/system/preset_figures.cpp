@@ -37,15 +37,15 @@ void print_row(const std::string& name, const LetterContrast& row) {
 }
 
 void print_filtered(const NoisyTablet& tablet, const std::string& name, const Words& options) {
-  print_row(name,
-            tablet.contrast(filtered(tablet.noisy(), options), filtered(tablet.clean(), options)));
+  print_row(name, tablet.contrast(filtered(tablet.noisy(), options),
+                                  filtered(tablet.mirrored(), options)));
 }
 
 void print_all(const NoisyTablet& tablet, const Words& options) {
   std::printf(
       "| preset | contrast of the letters, mm | noise, mm | contrast over noise | largest move, mm "
       "|\n|---|---|---|---|---|\n");
-  print_row("as scanned", tablet.contrast(tablet.noisy().vertices, tablet.clean().vertices));
+  print_row("as scanned", tablet.contrast(tablet.noisy().vertices, tablet.mirrored().vertices));
   if (!options.empty()) return print_filtered(tablet, "these options", options);
   for (const Preset& preset : presets())
     print_filtered(tablet, preset.name, {"--preset", preset.name});

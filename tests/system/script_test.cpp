@@ -203,7 +203,7 @@ TEST(Script, ControlsProtectionAndStrengthAreEdits) {
                              "preset Bring out an inscription 0.5\nwait\nprint\n";
   const CommandOutcome outcome = run_script(server, script);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.output;
-  EXPECT_THAT(outcome.output, testing::HasSubstr(":0.5 "));
+  EXPECT_THAT(outcome.output, testing::HasSubstr(":1.75,"));
   EXPECT_THAT(outcome.output, testing::HasSubstr("6 entries"));
   EXPECT_THAT(outcome.output, testing::HasSubstr("rims free, at most 0.25, volume kept"));
 }

@@ -29,7 +29,10 @@ void FilterPanel::draw_presets(Workspace& workspace) {
   const std::string title = shown ? shown->preset.name : "Presets";
   if (noted("Presets",
             ImGui::BeginCombo("##presets", title.c_str(), ImGuiComboFlags_HeightLarge))) {
-    if (ImGui::IsWindowAppearing()) read_own(log);
+    if (ImGui::IsWindowAppearing()) {
+      read_own(log);
+      document.measure_noise();
+    }
     for (const Preset& preset : own_)
       if (draw_choice(preset, document)) document.apply(preset);
     if (!own_.empty()) ImGui::Separator();
@@ -39,6 +42,7 @@ void FilterPanel::draw_presets(Workspace& workspace) {
     draw_own(document, log);
     ImGui::EndCombo();
   }
+  if (document.waits_for_preset()) faint_text("measuring the scan's noise");
   if (shown) draw_strength(workspace, *shown);
 }
 

@@ -48,6 +48,7 @@ class Link:
         self._shown = None  # a gesture and its edit: the server shows one of a client
         self._kept_for_next = {}  # by kind: the newest edit that was shown when another kind came
         self._made_together = []  # how many entries each call has made
+        self._proposal = None  # by the scan's noise, once a preset needs it
         with contextlib.ExitStack() as made:
             self.server = made.enter_context(
                 contextlib.closing(burnish.connect(address) if address else burnish.serve()))
@@ -84,12 +85,13 @@ class Link:
 
     def preset(self, name, strength):
         """Returns the edits of a preset, as the window makes them. Raises burnish.Error."""
-        curve, beta, bands = self.prepared.preset(name, strength)
-        return [curve, beta, *([bands] if bands.bands or self.session.state().bands else [])]
+        return self.session.preset(name, strength)
 
     def strength(self, name, strength):
         """Returns the edit that changes with a preset's strength while its curve stays."""
-        _, beta, bands = self.prepared.preset(name, strength)
+        if self._proposal is None:
+            self._proposal = self.session.propose_edges()
+        _, beta, bands = self.prepared.preset(name, strength, self._proposal)
         return bands if bands.bands else beta
 
     def show(self, change):

@@ -68,23 +68,32 @@ const char* how_to_free(const HeldRims& rims) {
 /// Asks the scan's own noise, if the user leaves it to that, and says the answer.
 Status propose(const PreparedMesh& prepared, const Progress& progress, FilterChoice& choice,
                FilterRun& run) {
-  if (!choice.asks_for_proposal()) return Status::ok();
+  if (!choice.asks_for_noise()) return Status::ok();
   MeshView mesh;
   mesh.vertices = prepared.vertices;
   mesh.triangles = prepared.triangles;
-  ASSIGN_OR_RETURN(const auto surface, make_denoise_surface(mesh, {}, progress));
-  ASSIGN_OR_RETURN(run.proposal, propose_edges(*surface, {}, progress));
-  std::cerr << choice.take(*run.proposal) << "\n";
+  if (choice.asks_for_proposal()) {
+    ASSIGN_OR_RETURN(const auto surface, make_denoise_surface(mesh, {}, progress));
+    ASSIGN_OR_RETURN(run.proposal, propose_edges(*surface, {}, progress));
+  } else {
+    ASSIGN_OR_RETURN(run.proposal, measure_noise(mesh, {}, progress));
+  }
+  std::cerr << choice.take(*run.proposal);
   return Status::ok();
 }
 
 Status apply_edits(const FilterOptions& options, const FilterChoice& choice,
                    const std::vector<Edit>& edits, Session& session) {
   const PreparedMesh& prepared = session.prepared();
-  ASSIGN_OR_RETURN(const auto filter, changes_of(choice,
-                                                 {prepared.length_unit, prepared.frame.cell_size,
-                                                  prepared.statistics.mean_edge_length},
-                                                 {}));
+  const bool keeps_volume = options.controls.over(kNewSessionControls).keep_volume;
+  const ScanLengths lengths{prepared.length_unit,
+                            prepared.frame.cell_size,
+                            prepared.statistics.mean_edge_length,
+                            sharp_bend_of(prepared.histogram.range, prepared.histogram.area),
+                            choice.noise,
+                            !keeps_volume && choice.equaliser.bands.empty()};
+  std::cerr << told_preset(choice, lengths);
+  ASSIGN_OR_RETURN(const auto filter, changes_of(choice, lengths, {}));
   LayerCheck layers = session.edited().layers();
   for (const auto& change : filter) {
     RETURN_IF_ERROR(session.edited().check_new({"filter", change}));

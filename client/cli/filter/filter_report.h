@@ -19,7 +19,7 @@ struct FilterRun {
   int32_t corners = 0;
   SolveReport solve;
   double write_seconds = 0;
-  std::optional<EdgeProposal> proposal;  ///< with --keep-edges auto
+  std::optional<EdgeProposal> proposal;  ///< with --keep-edges auto, and presets that follow noise
   std::optional<double> volume;          ///< over the scan's; nothing unless it is to be kept
 };
 

@@ -75,11 +75,20 @@ void Document::send_as(const std::string& id, Change change) {
   send_together({{id, std::move(change)}});
 }
 
+// Takes the place of what a preset would set, or takes it back.
+static bool is_of_filter(const Change& change) {
+  return std::holds_alternative<SetGradientScale>(change) ||
+         std::holds_alternative<SetTransferCurve>(change) ||
+         std::holds_alternative<SetEqualiser>(change) || std::holds_alternative<SetEdges>(change) ||
+         std::holds_alternative<Undo>(change);
+}
+
 // The server applies all of a message or none.
 void Document::send_together(const std::vector<Edit>& edits) {
   end_trial();
   for (const Edit& edit : edits) {
     if (std::holds_alternative<SetEdges>(edit.change)) waits_for_noise_ = false;
+    if (is_of_filter(edit.change)) waiting_preset_.reset();
     settings_.take(edit.change);
     recorder_.record(edit);
   }
@@ -258,9 +267,9 @@ void Document::name_unit(const std::string& unit) {
 }
 
 bool Document::is_settled() const {
-  return link_ == LinkState::kLive && gesture_.empty() && trial_.empty() && !is_trial_leaving_ &&
-         stats_.frames > 0 && stats_.frame.settled && stats_.frame.edits >= edits_known_ &&
-         has_newest_history();
+  return link_ == LinkState::kLive && gesture_.empty() && trial_.empty() && !waiting_preset_ &&
+         !is_trial_leaving_ && stats_.frames > 0 && stats_.frame.settled &&
+         stats_.frame.edits >= edits_known_ && has_newest_history();
 }
 
 bool Document::is_picture_fine() const {
@@ -283,17 +292,33 @@ std::string Document::picture_lack() const {
 
 // Presets, and which of them is in force.
 
+ScanLengths Document::lengths() const {
+  return {length_unit(),     cell_size(),
+          mean_edge(),       sharp_bend_of(prepared().histogram_range, prepared().histogram),
+          noise_.proposal(), !controls().keep_volume};
+}
+
 void Document::apply(const Preset& preset, double strength) {
+  waiting_preset_.reset();
+  if (!follows_noise(preset) || noise_.proposal()) return apply_now(preset, strength);
+  waiting_preset_ = PresetInForce{preset, strength};
+  noise_.ask();
+}
+
+// Edges end before bands begin and the other way round, for they exclude each other.
+void Document::apply_now(const Preset& preset, double strength) {
   PresetFilter applied = filter_of(preset, strength, lengths());
   last_preset_ = preset;
-  settings_.beta = applied.beta;
   curve_.set_curve(applied.curve);
   if (preset.brush_beta && !brush_.brush.has_own_limits()) brush_.brush.beta = *preset.brush_beta;
   const bool has_bands = !applied.equaliser.bands.empty() || !equaliser().bands.empty();
   std::vector<Change> changes;
   if (has_bands) changes.push_back(SetEqualiser{std::move(applied.equaliser)});
+  if (changes_edges(applied, edges()))
+    changes.insert(applied.edges->is_on() ? changes.end() : changes.begin(),
+                   SetEdges{*applied.edges});
   changes.push_back(SetTransferCurve{curve_.curve()});
-  changes.push_back(SetGradientScale{beta()});
+  changes.push_back(SetGradientScale{applied.beta});
   commit_together(std::move(changes));
 }
 
@@ -323,6 +348,8 @@ void Document::keep_edges_by_noise() {
 // A commit would end a drag or a stroke, so the answer waits for their end.
 void Document::take_noise() {
   if (noise_.is_asking() || !gesture_.empty()) return;
+  if (const auto preset = std::exchange(waiting_preset_, std::nullopt))
+    apply_now(preset->preset, preset->strength);
   const bool is_painted = std::exchange(paints_for_noise_, false);
   if (!std::exchange(waits_for_noise_, false)) {
     const auto filter = is_painted ? filter_for_paint() : std::nullopt;

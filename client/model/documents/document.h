@@ -109,8 +109,12 @@ class Document {
   const CurveEditor& curve() const { return curve_; }
   void preview_curve() { preview(SetTransferCurve{curve_.curve()}); }
   void commit_curve() { commit(SetTransferCurve{curve_.curve()}); }
-  /// Makes the gradient scale, the curve and the bands those of a preset.
+  /// Makes the gradient scale, the curve and the bands those of a preset, and keeps edges as it
+  /// asks. If it follows the scan's noise, waits until the server has measured that.
   void apply(const Preset& preset, double strength = 1);
+  bool waits_for_preset() const { return waiting_preset_.has_value(); }
+  /// Has the server measure the noise, so that lengths() know it.
+  void measure_noise() { noise_.ask(); }
   /// During a drag of the strength of the preset in force, preview; at its end, commit.
   void preview_strength(const Preset& preset, double strength);
   void commit_strength(const Preset& preset);
@@ -130,7 +134,7 @@ class Document {
   std::optional<PresetInForce> preset_in_force(const std::vector<Preset>& own) const;
   /// Returns what the filter is now, for a preset of the user's own.
   PresetFilter filter() const { return {beta(), curve_.curve(), equaliser()}; }
-  ScanLengths lengths() const { return {length_unit(), cell_size()}; }
+  ScanLengths lengths() const;
 
   /// The bands and the palette, as the user or the session set them last. During a drag preview
   /// them; at its end, set them.
@@ -147,7 +151,9 @@ class Document {
   /// Has the server measure the scan's noise, and then keeps edges as it proposes. Changes nothing
   /// if there is no noise to speak of, or if the user sets other edges meanwhile.
   void keep_edges_by_noise();
-  bool waits_for_noise() const { return waits_for_noise_ || paints_for_noise_; }
+  bool waits_for_noise() const {
+    return waits_for_noise_ || paints_for_noise_ || waits_for_preset();
+  }
   /// Returns whether edges are kept as the scan's noise asks, at any strength.
   bool keeps_edges_by_noise() const;
   const ScanNoise& noise() const { return noise_; }
@@ -273,6 +279,7 @@ class Document {
   void refresh_history();
   void take_rims(const SessionState& state);
   void take_noise();
+  void apply_now(const Preset& preset, double strength);
   std::optional<EdgeFilter> filter_for_paint() const;
   bool has_textures() const { return has_colours() && surface_->texture_bytes_max() > 0; }
   SeamsOfSession seams_now() const;
@@ -352,7 +359,8 @@ class Document {
   std::shared_ptr<Fetch> history_fetch_ = std::make_shared<Fetch>();
   Measuring measuring_;
   ScanNoise noise_;
-  bool waits_for_noise_ = false;   // the edges that it proposes will be kept
+  bool waits_for_noise_ = false;                 // the edges that it proposes will be kept
+  std::optional<PresetInForce> waiting_preset_;  // it follows the noise, and will be applied
   bool paints_for_noise_ = false;  // a stroke of kept edges came before the noise was known
   SheetFinder finder_;
   bool has_no_textures_yet_ = false;  // the last finding failed

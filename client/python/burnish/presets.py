@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import subprocess
 from typing import Any
@@ -18,15 +19,27 @@ def presets() -> dict[str, str]:
     return {preset["name"]: preset["description"] for preset in _ask()}
 
 
-def preset_changes(name: str, strength: float, length_unit: float,
-                   cell_size: float) -> tuple[TransferCurve, GradientScale, Equaliser]:
-    """Returns the edits that a preset is on a scan of these lengths. Raises NotFound for an unknown
-    name, InvalidArgument for a strength outside 0 to 1."""
-    found = _ask(f"--length-unit={float(length_unit)!r}", f"--cell-size={float(cell_size)!r}",
-                 f"--strength={float(strength)!r}", "--", name)
-    return (TransferCurve({kappa: alpha for kappa, alpha in found["curve"]}),
-            GradientScale(found["beta"]),
-            Equaliser([Band(size, gain) for size, gain in found["bands"]]))
+@dataclasses.dataclass(frozen=True)
+class PresetChanges:
+    """The edits that a preset is on a scan, and what it makes of kept edges."""
+
+    curve: TransferCurve
+    beta: GradientScale
+    bands: Equaliser
+    edges: str | None
+    """"auto": kept as the scan's noise asks; "off"; None: as before."""
+    follows_noise: bool
+    """Whether it is another one on a scan with more noise."""
+
+
+def preset_changes(name: str, strength: float, measures: list[str]) -> PresetChanges:
+    """Returns what a preset is on a scan of these measures, as options of `burnish presets`.
+    Raises NotFound for an unknown name, InvalidArgument for a strength outside 0 to 1."""
+    found = _ask(*measures, f"--strength={float(strength)!r}", "--", name)
+    return PresetChanges(TransferCurve({kappa: alpha for kappa, alpha in found["curve"]}),
+                         GradientScale(found["beta"]),
+                         Equaliser([Band(size, gain) for size, gain in found["bands"]]),
+                         found["edges"], found["follows_noise"])
 
 
 def _ask(*words: str) -> Any:

@@ -13,7 +13,7 @@ from burnish.v1 import common_pb2, library_pb2
 from .edits import EdgeFilter, Equaliser, GradientScale, TransferCurve
 from .errors import NotFound
 from .files import FORMAT_NAMES
-from .presets import preset_changes
+from .presets import PresetChanges, preset_changes
 
 if TYPE_CHECKING:
     from ._calls import Calls
@@ -28,6 +28,8 @@ class Histogram:
     """n + 1 edges of the bins: curvature times L, even in asinh."""
     area: npt.NDArray[np.float64]
     """n fractions of the area."""
+    range: float = 0.0
+    """The bins end here."""
 
     def quantile(self, fraction: float) -> float:
         """Returns the curvature (times L) below which this fraction of the area lies."""
@@ -89,13 +91,28 @@ class Prepared:
         """Returns the alpha at which a wave of this length is halved by beta 0. The scan's units."""
         return 2 * np.pi * self.length_unit / wavelength
 
-    def preset(self, name: str,
-               strength: float = 1.0) -> tuple[TransferCurve, GradientScale, Equaliser]:
+    def preset(self, name: str, strength: float = 1.0, proposal: EdgeProposal | None = None,
+               ) -> tuple[TransferCurve, GradientScale, Equaliser]:
         """Returns the edits that a preset of the program `burnish` is here; `strength`: 0 to 1.
 
-        The equaliser has no bands where the preset has none. Raises NotFound, InvalidArgument.
+        `proposal`: the scan's noise, which some presets follow; without it they are those for much
+        noise. The equaliser has no bands where the preset has none. Raises NotFound,
+        InvalidArgument. `Session.preset()` has the edits of kept edges too.
         """
-        return preset_changes(name, strength, self.length_unit, self.cell_size)
+        found = self.preset_changes(name, strength, proposal)
+        return found.curve, found.beta, found.bands
+
+    def preset_changes(self, name: str, strength: float, proposal: EdgeProposal | None = None,
+                       can_keep_edges: bool = True) -> PresetChanges:
+        """Does the same, with what the preset makes of kept edges."""
+        bins = ",".join(repr(float(each)) for each in (self.histogram.range, *self.histogram.area))
+        measures = [f"--length-unit={self.length_unit!r}", f"--cell-size={self.cell_size!r}",
+                    f"--curvature={bins}"]
+        if proposal:
+            measures += [f"--mean-edge={proposal.mean_edge!r}", f"--noise={proposal.noise!r}"]
+        if not can_keep_edges:
+            measures.append("--without-edges")
+        return preset_changes(name, strength, measures)
 
 
 class Scan:
@@ -210,4 +227,5 @@ def prepared_of(message: Any) -> Prepared:
     reach = np.arcsinh(message.histogram_range)
     kappa = np.sinh(np.linspace(-reach, reach, len(area) + 1))
     return Prepared(message.depth, message.cell_size, message.length_unit, message.cells,
-                    message.memory_bytes, Histogram(kappa, area), ThinWalls.of(message.walls))
+                    message.memory_bytes, Histogram(kappa, area, message.histogram_range),
+                    ThinWalls.of(message.walls))

@@ -16,7 +16,7 @@ from ._arguments import with_change
 from ._calls import Calls
 from ._channel import PathLike
 from .cells import CELL_VALUES, SingleCells, cell_messages
-from .edits import Change, GradientScale, TransferCurve, rows
+from .edits import Change, EdgeFilter, GradientScale, TransferCurve, rows
 from .files import format_of, receive
 from .history import Deviation, Entry, Exported, State
 from .live import Live
@@ -95,12 +95,29 @@ class Session:
         return self.set_alpha(self._prepared().alpha_of(wavelength))
 
     def set_preset(self, name: str, strength: float = 1.0) -> list[int]:
-        """Sets beta, the fidelity and the bands as a preset of the program `burnish` does.
+        """Sets beta, the fidelity, the bands and kept edges as a preset of `burnish` does.
 
         `strength`: how much of it, 0 to 1. `presets()` has the names. Raises NotFound.
         """
-        curve, beta, bands = self._prepared().preset(name, strength)
-        return self.apply(curve, beta, *([bands] if bands.bands or self.state().bands else []))
+        return self.apply(*self.preset(name, strength))
+
+    def preset(self, name: str, strength: float = 1.0) -> list[Change]:
+        """Returns the edits that set_preset() makes. Has the server measure the noise if needed."""
+        prepared, state = self._prepared(), self.state()
+        can_keep_edges = not state.controls.keep_volume
+        found = prepared.preset_changes(name, strength, None, can_keep_edges)
+        proposal = self.propose_edges() if found.follows_noise else None
+        if proposal:
+            found = prepared.preset_changes(name, strength, proposal, can_keep_edges)
+        changes: list[Change] = [found.curve, found.beta]
+        if found.edges == "off" and state.edges.strength > 0:
+            changes.insert(0, EdgeFilter(0.0))
+        if found.bands.bands or state.bands:
+            changes.append(found.bands)
+        keeps = found.edges == "auto" and proposal and proposal.filter.strength > 0
+        if keeps and proposal and state.edges.strength == 0:
+            changes.append(proposal.filter)
+        return changes
 
     def _prepared(self) -> Prepared:
         return prepared_of(self._calls.ask(self._calls.library.DescribeScan, (

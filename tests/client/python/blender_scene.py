@@ -72,7 +72,7 @@ settings.strength = 0.25
 facts["edits while its strength moves"] = len(list(link.session.history())) - count
 bpy.ops.burnish.keep()
 state = link.session.state()
-curve, beta, _ = link.prepared.preset("Reduce scanner noise", 0.25)
+curve, beta, _ = link.prepared.preset("Reduce scanner noise", 0.25, link.session.propose_edges())
 facts["preset at a strength"] = [state.beta == beta.beta, state.curve == curve]
 bpy.ops.burnish.undo()
 bpy.ops.burnish.undo()

@@ -196,14 +196,15 @@ class Edits(Sdk):
     def test_a_preset_is_the_programs(self):
         program = self.open(f"{self.id()} by the program")
         self.assertIn("Soften", burnish.presets())
-        for name, strength in (("Bring out an inscription", 0.5), ("Sharpen flats", 1.0)):
+        for name, strength in (("Bring out an inscription", 0.5), ("Sharpen flats", 1.0),
+                               ("Reduce scanner noise", 1.0)):
             self.session.set_preset(name, strength)
             subprocess.run([os.environ["BURNISH_BINARY"], "edit", program.id, "--preset", name,
                             "--strength", str(strength), "--server", f"unix:{self.server.socket}"],
                            check=True, stdout=subprocess.DEVNULL)
             ours, theirs = self.session.state(), program.state()
-            self.assertEqual((ours.beta, ours.curve, ours.bands, ours.edits),
-                             (theirs.beta, theirs.curve, theirs.bands, theirs.edits))
+            self.assertEqual((ours.beta, ours.curve, ours.bands, ours.edges, ours.edits),
+                             (theirs.beta, theirs.curve, theirs.bands, theirs.edges, theirs.edits))
 
     def test_a_preset_that_is_not_there_or_too_strong_is_refused(self):
         with self.assertRefused(burnish.NotFound, "Harden"):

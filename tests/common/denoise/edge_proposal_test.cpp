@@ -64,6 +64,18 @@ TEST(EdgeProposal, ItsLayerIsNearerToTheCleanShapeThanTheScan) {
   }
 }
 
+TEST(EdgeProposal, NoiseAloneIsTheSameNoise) {
+  const TriangleMesh mesh = *generate_scan({"blob", 4000, 1, 0.1, NoiseKind::kGauss});
+  const auto alone = measure_noise(mesh);
+  ASSERT_TRUE(alone.is_ok());
+  const EdgeProposal whole = proposal_for(mesh);
+  EXPECT_EQ(alone->noise, whole.noise);
+  EXPECT_EQ(alone->mean_edge, whole.mean_edge);
+  EXPECT_FALSE(alone->filter.is_on());
+  const Progress cancel = [](std::string_view, double) { return false; };
+  EXPECT_EQ(measure_noise(mesh, {}, cancel).status().code(), StatusCode::kCancelled);
+}
+
 TEST(EdgeProposal, SaysTheNoiseInTheScansUnitAndInEdges) {
   TriangleMesh mesh = *generate_scan({"icosphere", 8000, 1, 0.1, NoiseKind::kGauss});
   for (Vec3d& p : mesh.vertices) p *= 100;
