@@ -20,6 +20,7 @@ from server_process import ServerProcess
 import cases
 import checks
 import fronts
+import harm
 import pictures
 
 KINDS = ("tablet", "coloured", "icosphere", "cylinder", "sheet", "doubled", "flaps", "blob", "sheets", "fan",
@@ -35,6 +36,18 @@ def generated(kinds, vertices, folder):
         if change:
             change(file)
         yield file
+
+
+def generated_for_presets(vertices, folder):
+    """A noisy inscription, a lumpy shape, a part, and a ball of few triangles."""
+    for name, kind, options in (("noisy", "tablet", ("--noise", 0.3, "--noise-kind", "gauss")),
+                                ("lumps", "blob", ()), ("machined", "part", ())):
+        file = folder / f"{name}.ply"
+        fronts.run("generate", kind, file, "--vertices", vertices, *options)
+        yield file
+    file = folder / "coarse.ply"
+    fronts.run("generate", "icosphere", file, "--vertices", 162)
+    yield file
 
 
 def colour(file):
@@ -189,6 +202,22 @@ def try_scan(file, tried, table, with_page):
                 table.add(file.stem, case.name, "FAILED", str(wrong) or traceback.format_exc())
 
 
+def try_presets(file, strengths, only, table):
+    """No preset harms a scan that nobody has looked at, not even at full strength."""
+    facts = checks.facts_of(file)
+    for preset in burnish.presets():
+        for strength in strengths:
+            case = f"{preset} {strength}"
+            if only and case not in only:
+                continue
+            with tempfile.TemporaryDirectory(prefix="burnish-") as folder:
+                try:
+                    table.add(file.stem, case, "right",
+                              str(harm.check(facts, preset, strength, pathlib.Path(folder))))
+                except (AssertionError, fronts.Refused) as wrong:
+                    table.add(file.stem, case, "FAILED", str(wrong) or traceback.format_exc())
+
+
 def try_pictures(vertices, table, with_page):
     with contextlib.ExitStack() as stack:
         process = ServerProcess("--log-level", "warn", "--web", "127.0.0.1:0")
@@ -236,8 +265,14 @@ def main(words=None):
     with tempfile.TemporaryDirectory(prefix="burnish-") as folder:
         files = given.scans or generated(SHORT_KINDS if given.short else KINDS,
                                          3000 if given.short else 30_000, pathlib.Path(folder))
+        strengths = harm.STRENGTHS[:1] if given.short else harm.STRENGTHS
         for file in files:
             try_scan(file, tried, table, not given.no_page)
+            if not given.short:
+                try_presets(file, strengths, given.only, table)
+        if not given.scans:
+            for file in generated_for_presets(3000 if given.short else 30_000, pathlib.Path(folder)):
+                try_presets(file, strengths, given.only, table)
         if not given.scans and not given.only:
             try_pictures(3000 if given.short else 30_000, table, not given.no_page)
     print(table.markdown())
