@@ -107,8 +107,8 @@ static double noise_part(const Preset& preset, const ScanLengths& scan) {
   return noisiness(scan) * std::min(1.0, scan.noise->noise / relief);
 }
 
-// What is wide beside a wave changes by its square. So a grid that only holds longer waves than the
-// preset's gets as much less of β.
+// A form changes by the square of a wave that is short beside it. So a grid that only holds longer
+// waves than the preset's gets as much less of β.
 static double beta_of(const Preset& preset, const ScanLengths& scan) {
   if (preset.noise_cells > 0) return part_of(noise_part(preset, scan), preset.beta);
   if (!has_limits(preset.limits)) return preset.beta;

@@ -23,7 +23,7 @@ class SectionPlot {
     return {x_of(at.x()), y_of(at.y())};
   }
 
-  // Of a way and a height, in lengths of the ruler.
+  // Takes a way and a height, in lengths of the ruler.
   float x_of(double way) const {
     return at_.x + size_.x * static_cast<float>((1 - kPart) / 2 + kPart * way);
   }

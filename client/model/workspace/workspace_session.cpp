@@ -387,7 +387,7 @@ void Workspace::restore_view(bool keeps_camera) {
     document_->set_colour(view->colour);
 }
 
-// What the user chose for the scan goes on in its new sessions.
+// New sessions of a scan keep the axis that its user chose.
 void Workspace::raise_axis() {
   const std::filesystem::path file = views_file(options_.preferences);
   const auto up = file.empty() ? std::nullopt : read_up(file, document_->scan().scan.id);

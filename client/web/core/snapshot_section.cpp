@@ -10,7 +10,7 @@ namespace {
 constexpr size_t kSectionPathPointsMax = 2000;  // of a drawn surface
 constexpr double kRulerLength = 10'000;         // in the drawing
 
-// Of section_plot.tsx, in lengths of the ruler.
+// The margins of section_plot.tsx, in lengths of the ruler.
 constexpr double kBesideRuler = 1 / 18.0, kHalfHeight = 0.14 * (1 + 2 * kBesideRuler);
 constexpr double kWayTick = 0.125, kHeightTick = 0.05;  // least distance of two numbers
 

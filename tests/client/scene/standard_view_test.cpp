@@ -29,7 +29,7 @@ TEST(UpAxis, IsFoundByItsName) {
   EXPECT_EQ(parse_up_axis("w").status().code(), StatusCode::kInvalidArgument);
 }
 
-// Of a volcano: 9.8 by 14 km, 1.9 km high, as maps store it.
+// A volcano of 9.8 by 14 km, 1.9 km high, as maps store it.
 const Eigen::AlignedBox3d kLand(Vec3d(0, 30, 682), Vec3d(9780, 13980, 2543));
 
 TEST(LikelyUp, IsZForLandInMetresAndYForAllElse) {
